@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options, scene and engine of a command, in the order in which they can fail cheapest.
+#include "scene_run.hpp"
+
+#include <fstream>
+
+#include <cdsm/error.hpp>
+
+#include "engine/stats_json.hpp"
+#include "io/atomic_file.hpp"
+#include "io/scene_file.hpp"
+
+namespace cdsm::cli {
+namespace {
+
+/// The paths that can be checked are checked before the scene is read.
+std::string checkedPath(const std::string& path) {
+  if (!path.empty()) io::checkOutputPath(path);
+  return path;
+}
+
+EngineOptions engineOptions(const SceneOptions& options, Console& console) {
+  EngineOptions engine;
+  engine.device = options.device;
+  engine.fetch = options.fetch;
+  engine.warning = [&console](const std::string& message) { console.warn(message); };
+  engine.progress = [&console](const std::string& step, float done) { console.progress(step, done); };
+  return engine;
+}
+
+std::string settingProblem(const std::string& setting) {
+  return setting.find('=') == std::string::npos ? "'" + setting + "' must be KEY=VALUE" : "";
+}
+
+}  // namespace
+
+void addSceneOptions(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.scene, "Scene file (TOML)")->required();
+  command.add_option("--set", options.settings, "Change a scene key, such as shadows.memory=atlas; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE")
+      ->check(CLI::Validator(settingProblem, ""));
+  command.add_option("--device", options.device,
+                     "platform:device as 'cdsm devices' numbers them, or part of a name [$CDSM_DEVICE, first usable]");
+  command.add_option("--fetch", options.fetch, "How volumes and maps are read [auto]")
+      ->check(CLI::IsMember({"auto", "buffer", "image"}));
+  command.add_option("--stats", options.stats, "Write times and memory as JSON");
+  command.add_flag("--quiet", options.quiet, "No warnings, no progress");
+}
+
+SceneRun::SceneRun(const SceneOptions& options)
+    : statsPath_(checkedPath(options.stats)),
+      console_(options.quiet),
+      scene_(io::readScene(options.scene, options.settings)),
+      engine_(engineOptions(options, console_)) {}
+
+void SceneRun::writeStats() const {
+  if (statsPath_.empty()) return;
+  io::AtomicFile file(statsPath_);
+  std::ofstream stream(file.temporaryPath(), std::ios::binary);
+  stream << engine::statsJson(engine_.device(), scene_.shadows, {engine_.stats()});
+  stream.close();
+  if (!stream) throw Error(Location{statsPath_}, "cannot be written, must be on a disk with space");
+  file.commit();
+}
+
+}  // namespace cdsm::cli

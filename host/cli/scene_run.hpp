@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands that work on a scene share: their options, the scene, an engine, statistics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <cdsm/cdsm.hpp>
+
+#include "console.hpp"
+
+namespace cdsm::cli {
+
+struct SceneOptions {
+  std::string scene;
+  std::vector<std::string> settings;  ///< KEY=VALUE
+  std::string device;
+  std::string fetch = "auto";
+  std::string stats;  ///< a file's name, or empty
+  bool quiet = false;
+};
+
+/// Adds SCENE, --set, --device, --fetch, --stats and --quiet. `options` must live until the command has run.
+void addSceneOptions(CLI::App& command, SceneOptions& options);
+
+/// A scene that was read and the engine to work on it. Making one checks the statistics' path before all else.
+class SceneRun {
+ public:
+  explicit SceneRun(const SceneOptions& options);
+  SceneRun(const SceneRun&) = delete;
+  SceneRun& operator=(const SceneRun&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  Engine& engine() { return engine_; }
+
+  /// Writes the statistics of the engine's last call, if asked to.
+  void writeStats() const;
+
+ private:
+  std::string statsPath_;
+  Console console_;
+  Scene scene_;
+  Engine engine_;
+};
+
+}  // namespace cdsm::cli

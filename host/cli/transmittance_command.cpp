@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// `cdsm transmittance SCENE --light NAME --points P.csv [-o OUT.csv]`: how much of a light reaches given points.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "io/atomic_file.hpp"
+#include "io/points_file.hpp"
+#include "scene_run.hpp"
+
+namespace cdsm::cli {
+namespace {
+
+constexpr const char* kStandardOutput = "-";
+
+struct TransmittanceOptions : SceneOptions {
+  std::string light;
+  std::string points;
+  std::string output = kStandardOutput;
+};
+
+void answer(const TransmittanceOptions& options) {
+  if (options.output != kStandardOutput) io::checkOutputPath(options.output);
+  const std::vector<glm::vec3> points = io::readPoints(options.points);
+  SceneRun run(options);
+  io::writeTransmittances(options.output, points, run.engine().transmittance(run.scene(), options.light, points));
+  run.writeStats();
+}
+
+}  // namespace
+
+void addTransmittanceCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("transmittance", "Transmittance from a light to points, without rendering");
+  auto options = std::make_shared<TransmittanceOptions>();
+  addSceneOptions(*command, *options);
+  command->add_option("--light", options->light, "Name of the light")->required();
+  command->add_option("--points", options->points, "World points: CSV with the header x,y,z")->required();
+  command->add_option("-o", options->output, "CSV to write: x,y,z,lit,transmittance [standard output]");
+  command->final_callback([options] { answer(*options); });
+}
+
+}  // namespace cdsm::cli

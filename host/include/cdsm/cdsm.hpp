@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// cdsm: clustered deep shadow maps. The whole public interface: a Scene in, images and transmittances out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cdsm/error.hpp>
+#include <cdsm/scene.hpp>
+#include <cdsm/stats.hpp>
+
+namespace cdsm {
+
+/// What an OpenCL device is and which of the engine's paths it would use.
+struct DeviceDescription {
+  std::string id;        ///< "platform:device", as `cdsm devices` numbers them
+  std::string platform;
+  std::string name;
+  std::string version;
+  std::string type;      ///< cpu | gpu | accelerator | other
+  unsigned computeUnits = 0;
+  std::uint64_t memoryBytes = 0;
+  std::uint64_t maxAllocationBytes = 0;
+  std::uint64_t localMemoryBytes = 0;
+  bool images = false;
+  std::string fetch;     ///< buffer | image: how volumes and maps would be read
+  std::string unusable;  ///< empty, or why the engine cannot run on it
+};
+
+/// All devices of all platforms; a platform without devices is passed over. Never throws for want of a device.
+std::vector<DeviceDescription> listDevices();
+
+struct EngineOptions {
+  std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
+  std::string fetch = "auto";  ///< auto | buffer | image
+  std::function<void(const std::string&)> warning;             ///< told once per oddity; may be empty
+  std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
+};
+
+/// RGBA, linear, row after row from the top, premultiplied by nothing: alpha is the opacity in front of the background.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec4> pixels;
+};
+
+struct Transmittance {
+  std::uint8_t lit;     ///< 0: outside the light's cone
+  float transmittance;  ///< 0 where not lit
+};
+
+/// Renders scenes and answers for the light at points. Holds device memory; one engine is used by one thread at a time,
+/// several engines may live side by side. What is built for a scene is kept until a scene that differs is given.
+class Engine {
+ public:
+  explicit Engine(const EngineOptions& options = {});
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  const DeviceDescription& device() const;
+
+  /// The camera's image of the scene. Throws Error or DeviceError; the engine stays usable.
+  Image render(const Scene& scene);
+
+  /// Transmittance from the light of that name to world points, in their order, as the scene's technique sees it and
+  /// without bias [Knecht 2011, §3.3]. Throws Error for an unknown light.
+  std::vector<Transmittance> transmittance(const Scene& scene, const std::string& light,
+                                           const std::vector<glm::vec3>& points);
+
+  /// What the last call did: device times, maps, memory.
+  const FrameStats& stats() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cdsm

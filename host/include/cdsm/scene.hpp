@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene as plain values: what the scene file says after reading, and what an embedder fills in by hand.
+// World space is right-handed; lengths are world units, angles degrees, colours linear RGB.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace cdsm {
+
+struct Camera {
+  glm::vec3 position{0.0f, 0.0f, 5.0f};
+  glm::vec3 target{0.0f};
+  glm::vec3 up{0.0f, 1.0f, 0.0f};
+  float fov = 45.0f;  ///< vertical, full angle, in (0, 180)
+};
+
+struct ImageSettings {
+  int width = 720;
+  int height = 480;
+  glm::vec3 background{0.0f};
+  glm::vec3 ambient{0.1f};  ///< i_a of the Phong model [Knecht 2011, eq. 3.9]
+  int supersampling = 1;    ///< rays per pixel side: 2 averages 2 x 2 rays, in [1, 8]
+};
+
+/// How shadows are made. Names of techniques and memory strategies are those of the scene file; the registry
+/// (host/src/technique/registry.cpp) is the list of what exists.
+struct ShadowSettings {
+  std::string technique = "deep-shadow-map";
+  std::string memory = "chunked";
+  int mapSize = 512;            ///< texels per side
+  float tolerance = 0.01f;      ///< epsilon of the compression, in opacity, in [0, 1)
+  std::string filter = "bilinear";  ///< bilinear | nearest
+  float step = 0.0f;            ///< ray step in world units; 0: half the smallest voxel edge in the segment
+  float bias = 0.0f;            ///< world units towards the light for surface points; 0: chosen from the scene
+};
+
+enum class LightType { Spot };
+
+struct Light {
+  std::string name;
+  LightType type = LightType::Spot;
+  glm::vec3 position{0.0f, 1.0f, 0.0f};
+  glm::vec3 target{0.0f};
+  float cutoff = 30.0f;  ///< half the cone's angle, in (0, 90), a hard edge
+  glm::vec3 color{1.0f};
+};
+
+struct Material {
+  std::string name;
+  glm::vec3 diffuse{0.8f};
+  glm::vec3 specular{0.0f};
+  float shininess = 1.0f;
+  float opacity = 1.0f;  ///< of one crossing of the surface, in [0, 1]
+};
+
+/// Triangles in object space. Either no normals or one per position.
+struct MeshData {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::uvec3> triangles;
+};
+
+struct Mesh {
+  std::string name;
+  std::shared_ptr<const MeshData> data;
+  int material = 0;  ///< index into Scene::materials
+  glm::mat4 worldFromObject{1.0f};
+  float interiorExtinction = 0.0f;  ///< 1 / world length; > 0 needs a closed mesh
+  glm::vec3 interiorColor{1.0f};
+};
+
+enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
+
+/// Bytes of one voxel.
+std::size_t voxelBytes(VoxelType type);
+
+/// A scalar grid, x fastest. `objectFromIndex` maps the index of a voxel's centre to object space.
+struct VolumeData {
+  VoxelType type = VoxelType::UInt8;
+  glm::uvec3 size{0u};
+  std::vector<std::byte> voxels;
+  glm::mat4 objectFromIndex{1.0f};
+};
+
+/// Opacity and colour by value: linear between the points, constant outside. Values are the file's own, ascending.
+struct TransferFunction {
+  struct OpacityPoint {
+    float value;
+    float opacity;  ///< per unitDistance, in [0, 1]; capped at 0.9999 where it becomes an extinction
+  };
+  struct ColorPoint {
+    float value;
+    glm::vec3 color;
+  };
+  std::vector<OpacityPoint> opacity;
+  std::vector<ColorPoint> color;
+  float unitDistance = 1.0f;  ///< world length for which the opacities hold, > 0
+};
+
+struct Volume {
+  std::string name;
+  std::shared_ptr<const VolumeData> data;
+  glm::mat4 worldFromObject{1.0f};
+  int boundary = -1;  ///< index into Scene::meshes of a closed mesh that cuts the volume; -1: its own box
+  TransferFunction transfer;
+  glm::vec3 specular{0.0f};
+  float shininess = 1.0f;
+  bool shading = true;  ///< Phong with the gradient as normal; false: the colour as it is, times the light
+};
+
+struct Scene {
+  Camera camera;
+  ImageSettings image;
+  ShadowSettings shadows;
+  std::vector<Light> lights;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Volume> volumes;
+};
+
+/// Throws Error when a value is out of its range, an index points nowhere, a camera or light is degenerate, a
+/// transform cannot be inverted or a mesh with an interior is not closed. Names the object and the remedy.
+void validate(const Scene& scene);
+
+}  // namespace cdsm

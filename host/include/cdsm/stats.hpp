@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a frame's time and memory went. Times are milliseconds of the device's own events unless said otherwise.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cdsm {
+
+struct MapStats {
+  int cluster = 0;
+  std::vector<std::string> objects;  ///< names of what casts in this map
+  bool regenerated = false;
+  std::uint64_t texels = 0;
+  double nodesMean = 0.0;  ///< over all texels, empty ones included
+  std::uint64_t nodesMax = 0;
+  std::uint64_t nodesTotal = 0;
+  double fovX = 0.0, fovY = 0.0;  ///< degrees
+  double nearDepth = 0.0, farDepth = 0.0;  ///< world units along the light's axis
+};
+
+struct LightStats {
+  std::string name;
+  std::string type;
+  std::vector<MapStats> maps;
+};
+
+struct MemoryStats {
+  std::string strategy;
+  std::uint64_t bytesReserved = 0;  ///< of the finished maps, bookkeeping included
+  std::uint64_t bytesUsed = 0;
+  std::uint64_t bytesWasted = 0;
+  std::uint64_t chunksUsed = 0;     ///< while building, strategy "chunked" alone
+  std::uint64_t chunksWasted = 0;   ///< handed out and never written
+  double bytesPerNode = 0.0;        ///< of a node itself, without bookkeeping
+};
+
+/// One launch of a kernel, by its human name.
+struct KernelTime {
+  std::string name;
+  double milliseconds = 0.0;
+  std::uint64_t launches = 0;
+};
+
+struct FrameStats {
+  int frame = 0;
+  double clusterMs = 0.0, rasterizeMs = 0.0, buildMapsMs = 0.0, renderMs = 0.0;
+  double totalMs = 0.0;  ///< wall clock
+  std::vector<LightStats> lights;
+  MemoryStats memory;
+  std::vector<KernelTime> kernels;
+  std::uint64_t shadedSamples = 0;      ///< volume samples with an opacity, summed over the camera's rays
+  std::vector<std::string> reports;     ///< what a pass had to repeat, and why ("pair buffer grown to ...")
+};
+
+}  // namespace cdsm

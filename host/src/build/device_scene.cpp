@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/device_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include "build/transfer_table.hpp"
+#include "device/program.hpp"
+#include "scene/closed_mesh.hpp"
+
+namespace cdsm::build {
+
+namespace {
+
+/// Rings of empty macrocells that a ray may skip at once; further ones cost more to find than they save. Even: the
+/// two buffers take turns, and the cells of the other volumes must end in the right one.
+constexpr unsigned kMostRings = 6;
+
+shared::Affine affineOf(const glm::mat4& m) {
+  const auto row = [&](int i) { const glm::vec4 r = glm::row(m, i); return shared::float4(glm::vec3(r), r.w); };
+  return {row(0), row(1), row(2)};
+}
+
+/// Smallest edge of a voxel in world units.
+float voxelEdge(const glm::mat4& worldFromIndex) {
+  float edge = INFINITY;
+  for (int i = 0; i < 3; ++i) edge = std::min(edge, glm::length(glm::vec3(worldFromIndex[i])));
+  return edge;
+}
+
+/// Six times the enclosed volume in object space, positive if triangles run counter-clockwise seen from outside.
+double signedVolume(const MeshData& data) {
+  double sum = 0.0;
+  for (const glm::uvec3& t : data.triangles) {
+    const glm::dvec3 a(data.positions[t.x]), b(data.positions[t.y]), c(data.positions[t.z]);
+    sum += glm::dot(a, glm::cross(b, c));
+  }
+  return sum;
+}
+
+/// The unit cube, counter-clockwise seen from outside.
+const MeshData& unitCube() {
+  static const MeshData cube = [] {
+    MeshData data;
+    for (int i = 0; i < 8; ++i) data.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+    data.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return data;
+  }();
+  return cube;
+}
+
+glm::mat4 worldFromUnitCube(const Volume& volume) {
+  glm::mat4 indexFromUnit(1.0f);
+  for (int i = 0; i < 3; ++i) indexFromUnit[i][i] = float(volume.data->size[i]);
+  indexFromUnit[3] = glm::vec4(-0.5f, -0.5f, -0.5f, 1.0f);
+  return scene::worldFromIndex(volume) * indexFromUnit;
+}
+
+float interiorStepOf(const Scene& scene, float diagonal) {
+  if (scene.shadows.step > 0.0f) return scene.shadows.step;
+  float most = 0.0f;
+  for (const Mesh& mesh : scene.meshes) most = std::max(most, mesh.interiorExtinction);
+  // linear nodes between samples of exp(-tau) are off by at most (step of tau)^2 / 8
+  const float opticalStep = 0.5f * std::sqrt(8.0f * std::max(scene.shadows.tolerance, 1e-3f));
+  const float step = diagonal / 512.0f;
+  return most > 0.0f ? std::min(step, opticalStep / most) : step;
+}
+
+}  // namespace
+
+void DeviceScene::clear() {
+  hostTriangles_.clear();
+  hostPositions_.clear();
+  hostNormals_.clear();
+  hostObjects_.clear();
+  objectMesh_.clear();
+  mediumLists_.clear();
+  hostMedia_.clear();
+  extinctionLut_.clear();
+  colorLut_.clear();
+  cellCount_ = 0;
+}
+
+void DeviceScene::addTriangles(const MeshData& data, unsigned object, bool flip) {
+  const std::size_t first = hostPositions_.size() / 3;
+  if (first + data.positions.size() > 0xffffffffu || hostTriangles_.size() + data.triangles.size() > 0x7fffffffu)
+    throw Error("the scene has more than 2^31 triangles or 2^32 vertices, which their numbers cannot hold");
+  for (const glm::vec3& p : data.positions) hostPositions_.insert(hostPositions_.end(), {p.x, p.y, p.z});
+  for (const glm::vec3& n : data.normals) hostNormals_.insert(hostNormals_.end(), {n.x, n.y, n.z});
+  hostNormals_.resize(hostPositions_.size(), 0.0f);
+  const auto base = shared::uint(first);
+  for (const glm::uvec3& t : data.triangles)
+    hostTriangles_.push_back({base + t.x, base + (flip ? t.z : t.y), base + (flip ? t.y : t.z), object});
+}
+
+void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
+  const glm::mat4 worldFromIndex = scene::worldFromIndex(volume);
+  const TransferTable table = makeTransferTable(volume.transfer);
+  const glm::uvec3 size = volume.data->size, cells = cellCounts(*volume.data);
+  shared::MediumData medium{};
+  medium.indexFromWorld = affineOf(glm::mat4(glm::inverse(glm::dmat4(worldFromIndex))));
+  medium.specular = {volume.specular, volume.shininess};
+  medium.size = {int(size.x), int(size.y), int(size.z), slots_.slotOf(volume.data.get())};
+  medium.cells = {int(cells.x), int(cells.y), int(cells.z), int(cellCount_)};
+  medium.lutScale = table.scale;
+  medium.lutBias = table.bias;
+  medium.lutOffset = shared::uint(colorLut_.size());
+  medium.lutLast = shared::uint(table.entries.size() - 1);
+  medium.step = scene.shadows.step > 0.0f ? scene.shadows.step : 0.5f * voxelEdge(worldFromIndex);
+  medium.shading = volume.shading;
+  medium.clipToBox = volume.boundary >= 0;
+  for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
+  colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
+  cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
+  mediumLists_.push_back(shared::uint(hostMedia_.size()));
+  hostMedia_.push_back(medium);
+}
+
+void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
+  const Mesh& mesh = scene.meshes[index];
+  const Material& material = scene.materials[mesh.material];
+  shared::ObjectData object{};
+  object.worldFromObject = affineOf(mesh.worldFromObject);
+  object.diffuse = {material.diffuse, material.opacity};
+  object.specular = {material.specular, material.shininess};
+  object.firstMedium = shared::uint(mediumLists_.size());
+  object.hasNormals = !mesh.data->normals.empty();
+  if (mesh.interiorExtinction > 0.0f) {
+    shared::MediumData medium{};
+    medium.interior = {mesh.interiorColor, mesh.interiorExtinction};
+    medium.size.w = -1;
+    mediumLists_.push_back(shared::uint(hostMedia_.size()));
+    hostMedia_.push_back(medium);
+  }
+  for (const Volume& volume : scene.volumes)
+    if (volume.boundary == int(index)) addVolumeMedium(scene, volume);
+  object.mediumCount = shared::uint(mediumLists_.size()) - object.firstMedium;
+  // entering and leaving are told by the turn of the triangles, so what encloses media must turn outwards
+  const bool inward = object.mediumCount > 0 &&
+                      (signedVolume(*mesh.data) < 0.0) != (glm::determinant(glm::mat3(mesh.worldFromObject)) < 0.0f);
+  addTriangles(*mesh.data, unsigned(hostObjects_.size()), inward);
+  hostObjects_.push_back(object);
+  objectMesh_.push_back(int(index));
+}
+
+void DeviceScene::addBox(const Scene& scene, std::size_t index) {
+  const Volume& volume = scene.volumes[index];
+  const glm::mat4 matrix = worldFromUnitCube(volume);
+  shared::ObjectData object{};
+  object.worldFromObject = affineOf(matrix);
+  object.firstMedium = shared::uint(mediumLists_.size());
+  object.mediumCount = 1;
+  addVolumeMedium(scene, volume);
+  addTriangles(unitCube(), unsigned(hostObjects_.size()), glm::determinant(glm::mat3(matrix)) < 0.0f);
+  hostObjects_.push_back(object);
+  objectMesh_.push_back(-1 - int(index));
+}
+
+void DeviceScene::update(const Scene& scene) {
+  clear();
+  slots_.update(scene.volumes);
+  scene_ = scene;
+  bounds_ = scene::worldBounds(scene);
+  interiorStep_ = interiorStepOf(scene, std::max(bounds_.diagonal(), 1e-20f));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) addMesh(scene, i);
+  for (std::size_t i = 0; i < scene.volumes.size(); ++i)
+    if (scene.volumes[i].boundary < 0) addBox(scene, i);
+  upload();
+  for (const shared::MediumData& medium : hostMedia_) classify(medium);
+}
+
+void DeviceScene::upload() {
+  const auto put = [&](auto& buffer, const auto& values, const char* name) {
+    buffer = {};
+    buffer = std::decay_t<decltype(buffer)>::fromHost(device_, values, name);
+  };
+  put(triangles_, hostTriangles_, "triangles");
+  put(positions_, hostPositions_, "vertex positions");
+  put(normals_, hostNormals_, "vertex normals");
+  put(objects_, hostObjects_, "objects");
+  put(lists_, mediumLists_, "lists of media");
+  put(media_, hostMedia_, "media");
+  put(extinctions_, extinctionLut_, "extinction tables");
+  put(colors_, colorLut_, "colour tables");
+  cells_ = {};
+  cells_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
+  cellsBefore_ = {};
+  cellsBefore_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
+}
+
+void DeviceScene::classify(const shared::MediumData& medium) {
+  using Uints = device::Buffer<std::uint32_t>;
+  using Cells = device::Buffer<std::uint8_t>;
+  if (medium.size.w < 0) return;
+  const std::size_t count = std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
+  std::vector<std::uint32_t> solidBefore{0};
+  for (shared::uint i = 0; i <= medium.lutLast; ++i)
+    solidBefore.push_back(solidBefore.back() + (extinctionLut_[medium.lutOffset + i] > 0.0f));
+  const Uints solid = Uints::fromHost(device_, solidBefore, "table of extinctions");
+  const shared::CellParams params{medium.cells, medium.lutScale, medium.lutBias, medium.lutLast, 0};
+  const cl::Program& program = device_.programs().get({"build/macrocells.cl", {}, {}});
+  device::Kernel<shared::CellParams, device::Buffer<shared::float2>, Uints, Cells> classifyCells(device_, program,
+                                                                                              "classifyCells");
+  device::Kernel<shared::CellParams, std::uint32_t, Cells, Cells> growReach(device_, program, "growReach");
+  classifyCells({"classify macrocells", {count}, {64}}, params, slots_.slot(medium.size.w).cellBounds, solid, cells_);
+  for (unsigned ring = 1; ring <= kMostRings; ++ring) {
+    std::swap(cells_, cellsBefore_);
+    growReach({"grow empty macrocells", {count}, {64}}, params, ring, cellsBefore_, cells_);
+  }
+  device_.finish();
+}
+
+device::ArgumentList DeviceScene::arguments(const device::Buffer<std::uint32_t>& initialObjects) const {
+  device::ArgumentList list{triangles_.cl(), positions_.cl(),   normals_.cl(), objects_.cl(), lists_.cl(),
+                            media_.cl(),     extinctions_.cl(), colors_.cl(),  cells_.cl(),   initialObjects.cl()};
+  const device::ArgumentList volumes = slots_.arguments();
+  list.insert(list.end(), volumes.begin(), volumes.end());
+  return list;
+}
+
+std::vector<std::uint32_t> DeviceScene::objectsAround(const glm::vec3& pointWorld) const {
+  std::vector<std::uint32_t> around;
+  for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
+    if (hostObjects_[i].mediumCount == 0) continue;
+    const int mesh = objectMesh_[i];
+    bool inside = false;
+    if (mesh >= 0) {
+      const Mesh& m = scene_.meshes[mesh];
+      inside = std::abs(scene::windingNumber(*m.data, m.worldFromObject, pointWorld)) > 0.5;
+    } else {
+      const glm::dmat4 unitFromWorld = glm::inverse(glm::dmat4(worldFromUnitCube(scene_.volumes[-1 - mesh])));
+      const glm::dvec3 p(unitFromWorld * glm::dvec4(pointWorld, 1.0));
+      inside = glm::all(glm::greaterThan(p, glm::dvec3(0.0))) && glm::all(glm::lessThan(p, glm::dvec3(1.0)));
+    }
+    if (inside) around.push_back(std::uint32_t(i));
+  }
+  return around;
+}
+
+std::vector<std::uint32_t> DeviceScene::objectsOfMedia() const {
+  std::vector<std::uint32_t> objects(hostMedia_.size());
+  for (std::size_t i = 0; i < hostObjects_.size(); ++i)
+    for (unsigned k = 0; k < hostObjects_[i].mediumCount; ++k)
+      objects[mediumLists_[hostObjects_[i].firstMedium + k]] = std::uint32_t(i);
+  return objects;
+}
+
+float DeviceScene::smallestStep() const {
+  float step = INFINITY;
+  for (const shared::MediumData& medium : hostMedia_)
+    if (medium.size.w >= 0) step = std::min(step, medium.step);
+  return std::isinf(step) ? 0.0f : step;
+}
+
+}  // namespace cdsm::build

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Views of lights -> finished deep shadow maps [Knecht 2011, §3.2, Alg. 3.1].
+#pragma once
+
+#include <vector>
+
+#include "build/device_scene.hpp"
+#include "build/raster_pass.hpp"
+#include "memory/memory_strategy.hpp"
+#include "shared/frame_data.h"
+
+namespace cdsm::build {
+
+class MapPass {
+ public:
+  explicit MapPass(device::Device& device) : device_(device) {}
+
+  /// Builds one map per view into `memory`; returns where points land in them, in the order of the views.
+  std::vector<shared::MapData> run(const DeviceScene& scene, const std::vector<shared::ViewData>& views,
+                                   float tolerance, RasterPass& raster, memory::MemoryStrategy& memory,
+                                   const RasterPass::Report& report);
+
+ private:
+  using BuildKernel = device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                                     device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList,
+                                     device::ArgumentList>;
+
+  device::Device& device_;
+};
+
+}  // namespace cdsm::build

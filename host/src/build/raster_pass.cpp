@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/raster_pass.hpp"
+
+#include "device/program.hpp"
+
+namespace cdsm::build {
+
+namespace {
+
+constexpr std::size_t kGroup = 64;
+constexpr std::size_t kLargeGroups = 128;
+
+const cl::Program& rasterProgram(device::Device& device) {
+  return device.programs().get({"build/rasterize.cl", {}, {}});
+}
+const cl::Program& sortProgram(device::Device& device) {
+  return device.programs().get({"build/sort_fragments.cl", {}, {}});
+}
+
+}  // namespace
+
+RasterPass::RasterPass(device::Device& device)
+    : device_(device),
+      scan_(device),
+      counters_(device, 1, "raster counters"),
+      setupTriangles_(device, rasterProgram(device), "setupTriangles"),
+      countPairs_(device, rasterProgram(device), "countPairs"),
+      countPairsLarge_(device, rasterProgram(device), "countPairsLarge"),
+      fillPairs_(device, rasterProgram(device), "fillPairs"),
+      fillPairsLarge_(device, rasterProgram(device), "fillPairsLarge"),
+      sortFragments_(device, sortProgram(device), "sortFragments") {
+  const auto name = [&](auto& buffer, const char* text) { buffer = std::decay_t<decltype(buffer)>(device, 0, text); };
+  name(screen_, "screen triangles");
+  name(large_, "large triangles");
+  name(tilePairs_, "pairs per tile");
+  name(tileFragments_, "fragments per tile");
+  name(tileStart_, "first pairs of tiles");
+  name(tileFragmentStart_, "first fragments of tiles");
+  name(tileCursor_, "cursors of tiles");
+  name(masks_, "coverage masks");
+  name(owners_, "triangles of coverage masks");
+  name(layers_.fragments, "fragments");
+  name(layers_.ranges, "fragment ranges");
+}
+
+std::size_t RasterPass::screenCount() const { return screen_.size(); }
+
+void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report) {
+  const std::size_t triangles = scene.triangles().size();
+  if (screen_.reserve(triangles + 64)) large_.reserve(screen_.size());
+  for (;;) {
+    params_.triangleCount = shared::uint(triangles);
+    params_.capacity = shared::uint(screen_.size());
+    counters_.fill({});
+    setupTriangles_({"set up triangles", {triangles}, {kGroup}}, params_, view, scene.triangles(), scene.positions(),
+                    scene.objects(), screen_, counters_, large_);
+    const std::size_t wanted = counters_.read(0).screenTriangles;
+    if (wanted <= screen_.size()) return;
+    report("room for screen triangles grown from " + std::to_string(screen_.size()) + " to " + std::to_string(wanted) +
+           ", clipping made more of them; triangles set up again");
+    screen_.reserve(wanted);
+    large_.reserve(wanted);
+  }
+}
+
+void RasterPass::countTiles(const shared::ViewData& view) {
+  tilePairs_.fill(0);
+  tileFragments_.fill(0);
+  countPairs_({"count tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
+              tileFragments_);
+  countPairsLarge_({"count tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
+                   counters_, large_, tilePairs_, tileFragments_);
+}
+
+void RasterPass::fillTiles(const shared::ViewData& view) {
+  tileCursor_.fill(0);
+  fillPairs_({"fill tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
+             tileCursor_, masks_, owners_);
+  fillPairsLarge_({"fill tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
+                  counters_, large_, tileStart_, tileCursor_, masks_, owners_);
+}
+
+Layers& RasterPass::run(const DeviceScene& scene, shared::ViewData view, const Report& report) {
+  const auto around = scene.objectsAround({view.origin.x, view.origin.y, view.origin.z});
+  view.initialCount = shared::uint(around.size());
+  layers_.view = view;
+  layers_.initialObjects = Uints::fromHost(device_, around, "objects around the eye");
+
+  const std::size_t tiles = std::size_t(view.tilesX) * view.tilesY;
+  tilePairs_.reserve(tiles);
+  tileFragments_.reserve(tiles);
+  tileCursor_.reserve(tiles);
+  tileStart_.reserve(tiles + 1);
+  tileFragmentStart_.reserve(tiles + 1);
+  layers_.ranges.reserve(tiles * CDSM_TILE_PIXELS);
+
+  setup(scene, view, report);
+  countTiles(view);
+  const std::size_t pairs = scan_(tiles, tilePairs_, tileStart_);
+  const std::size_t fragments = scan_(tiles, tileFragments_, tileFragmentStart_);
+  masks_.reserve(pairs);
+  owners_.reserve(pairs);
+  layers_.fragments.reserve(fragments + tiles * CDSM_TILE_PIXELS * around.size());
+  fillTiles(view);
+  sortFragments_({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, screen_, tileStart_,
+                 tileFragmentStart_, masks_, owners_, layers_.fragments, layers_.ranges);
+  return layers_;
+}
+
+}  // namespace cdsm::build

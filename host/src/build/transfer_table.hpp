@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A transfer function as a fine table of extinction and colour, for one multiply-add and one interpolation per sample.
+#pragma once
+
+#include <vector>
+
+#include <cdsm/scene.hpp>
+
+#include "shared/types.h"
+
+namespace cdsm::build {
+
+/// Table coordinate = value * scale + bias; entries 0 .. last, linear between, constant outside.
+struct TransferTable {
+  float scale = 0.0f;
+  float bias = 0.0f;
+  std::vector<shared::float4> entries;  ///< rgb and extinction (1 / world length); at least two
+};
+
+/// Extinction -ln(1 - a) / unitDistance of an opacity, which is capped at 0.9999 [INTERFACE, 4.2].
+float extinctionOf(float opacity, float unitDistance);
+
+/// Points with whole values lie on entries of the table; otherwise 8192 entries bound the error. `transfer` is valid.
+TransferTable makeTransferTable(const TransferFunction& transfer);
+
+}  // namespace cdsm::build

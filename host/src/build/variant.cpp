@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/variant.hpp"
+
+namespace cdsm::build {
+
+const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,
+                                Defines parts) {
+  // CPUs want vectors as wide as their registers, GPUs few registers per work item
+  parts.emplace_back("CDSM_BATCH", device.isCpu() ? "8" : "4");
+  if (device.fetchImages()) parts.emplace_back("CDSM_FETCH_IMAGE", "1");
+  return device.programs().get({entry, parts, {{"generated/volume_slots.clh", scene.slots().kernelFile()}}});
+}
+
+}  // namespace cdsm::build

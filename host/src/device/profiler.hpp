@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Device times of launches and transfers. In: events with their human names, grouped by the step of the frame;
+// out: milliseconds per name and per group, from the device's own clock.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include <CL/opencl.hpp>
+#include <cdsm/stats.hpp>
+
+namespace cdsm::device {
+
+/// Used by one thread at a time, as its Device is. Events are read when a result is asked for, or once they are done.
+class Profiler {
+ public:
+  /// What is recorded from here on counts to this group, e.g. "rasterize", "build maps", "render".
+  void beginGroup(std::string group) { group_ = std::move(group); }
+  const std::string& group() const { return group_; }
+
+  void record(const std::string& name, const cl::Event& event);
+
+  /// Sums by name over all groups, in the order of the first record. Waits for what still runs; throws DeviceError
+  /// for a launch that failed on the device.
+  std::vector<KernelTime> kernels();
+  /// Sum over what was recorded in the group; 0 for a group that never was. Waits and throws as kernels() does.
+  double groupMilliseconds(const std::string& group);
+  /// Forgets all times; the current group stays.
+  void reset();
+
+ private:
+  struct Pending {
+    std::string name;
+    std::string group;
+    cl::Event event;
+  };
+  struct Entry {
+    std::string name;
+    std::string group;
+    double milliseconds = 0.0;
+    std::uint64_t launches = 0;
+  };
+
+  void foldFinished();
+  void foldAll();
+  void foldFront();
+  Entry& entry(const std::string& name, const std::string& group);
+
+  std::string group_;
+  std::deque<Pending> pending_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace cdsm::device

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images for volumes and nodes. In: host voxels, or a buffer of nodes; out: checked images, profiled transfers.
+#include "device/texture.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "device/cl_error.hpp"
+
+namespace cdsm::device {
+namespace {
+
+constexpr std::size_t kNodeTexelBytes = 4 * sizeof(float);  // CL_RGBA, CL_FLOAT
+
+std::size_t channelBytes(cl_channel_type type) {
+  switch (type) {
+    case CL_UNORM_INT8:
+    case CL_SNORM_INT8:
+      return 1;
+    case CL_UNORM_INT16:
+    case CL_SNORM_INT16:
+      return 2;
+    case CL_FLOAT:
+      return 4;
+    default:
+      throw DeviceError("a volume texture of an unknown channel type; UNORM, SNORM of 8 or 16 bits or FLOAT are known");
+  }
+}
+
+bool supportsFormat(const Device& device, cl_mem_object_type object, const cl::ImageFormat& wanted) {
+  std::vector<cl::ImageFormat> formats;
+  device.context().getSupportedImageFormats(CL_MEM_READ_ONLY, object, &formats);
+  return std::any_of(formats.begin(), formats.end(), [&](const cl::ImageFormat& format) {
+    return format.image_channel_order == wanted.image_channel_order &&
+           format.image_channel_data_type == wanted.image_channel_data_type;
+  });
+}
+
+std::string sizeText(const VolumeTexture::Size& size) {
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+std::string obstacle3d(const Device& device, cl_channel_type type, const VolumeTexture::Size& size) {
+  const VolumeTexture::Size most{device.handle().getInfo<CL_DEVICE_IMAGE3D_MAX_WIDTH>(),
+                                 device.handle().getInfo<CL_DEVICE_IMAGE3D_MAX_HEIGHT>(),
+                                 device.handle().getInfo<CL_DEVICE_IMAGE3D_MAX_DEPTH>()};
+  for (std::size_t axis = 0; axis < size.size(); ++axis) {
+    if (size[axis] >= 1 && size[axis] <= most[axis]) continue;
+    return "a 3D image of " + sizeText(size) + " voxels, but the device's have 1 to " + sizeText(most);
+  }
+  if (!supportsFormat(device, CL_MEM_OBJECT_IMAGE3D, cl::ImageFormat(CL_R, type))) {
+    return "the device has no 3D images of one channel of this type";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string VolumeTexture::obstacle(const Device& device, cl_channel_type type, const Size& size) {
+  if (!device.description().images) return "the device has no images";
+  return guarded("asking for image formats", [&] { return obstacle3d(device, type, size); });
+}
+
+VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels,
+                             std::size_t bytes, const std::string& name)
+    : size_(size) {
+  const std::string what = "texture '" + name + "'";
+  const std::string reason = obstacle(device, type, size);
+  if (!reason.empty()) throw DeviceError(what + ": " + reason);
+  const std::size_t needed = size[0] * size[1] * size[2] * channelBytes(type);
+  if (bytes != needed) {
+    throw DeviceError(what + ": " + std::to_string(bytes) + " bytes given, but " + sizeText(size) + " voxels need " +
+                      std::to_string(needed));
+  }
+  claim_ = MemoryClaim(device.account(), bytes, what);
+  cl::Event event;
+  guarded(what + " of " + std::to_string(bytes) + " bytes", [&] {
+    image_ = cl::Image3D(device.context(), CL_MEM_READ_ONLY, cl::ImageFormat(CL_R, type), size[0], size[1], size[2]);
+    device.queue().enqueueWriteImage(image_, CL_TRUE, {0, 0, 0}, size, 0, 0, voxels, nullptr, &event);
+  });
+  device.profiler().record("upload " + name, event);
+}
+
+std::array<std::size_t, 2> NodeTexture::maxSize(const Device& device) {
+  if (!device.description().images) return {0, 0};
+  return guarded("asking for image sizes", [&] {
+    return std::array<std::size_t, 2>{device.handle().getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>(),
+                                      device.handle().getInfo<CL_DEVICE_IMAGE2D_MAX_HEIGHT>()};
+  });
+}
+
+NodeTexture::NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name)
+    : device_(&device), name_(name), width_(width), height_(height) {
+  const std::string what = "texture '" + name + "'";
+  const auto most = maxSize(device);
+  if (width < 1 || height < 1 || width > most[0] || height > most[1]) {
+    throw DeviceError(what + ": " + std::to_string(width) + " x " + std::to_string(height) +
+                      " texels asked for, but the device's 2D images have 1 x 1 to " + std::to_string(most[0]) + " x " +
+                      std::to_string(most[1]));
+  }
+  const cl::ImageFormat format(CL_RGBA, CL_FLOAT);
+  guarded(what, [&] {
+    if (!supportsFormat(device, CL_MEM_OBJECT_IMAGE2D, format)) {
+      throw DeviceError(what + ": the device has no 2D images of four floats");
+    }
+    claim_ = MemoryClaim(device.account(), width * height * kNodeTexelBytes, what);
+    image_ = cl::Image2D(device.context(), CL_MEM_READ_ONLY, format, width, height);
+  });
+}
+
+void NodeTexture::fill(const cl::Buffer& source, std::size_t byteOffset) {
+  if (!device_) throw DeviceError("a node texture is filled that was never allocated");
+  const std::string doing = "fill of texture '" + name_ + "'";
+  cl::Event event;
+  guarded(doing, [&] {
+    const std::size_t bytes = source.getInfo<CL_MEM_SIZE>();
+    const std::size_t needed = width_ * height_ * kNodeTexelBytes;
+    if (byteOffset > bytes || needed > bytes - byteOffset) {
+      throw DeviceError(doing + ": " + std::to_string(needed) + " bytes from " + std::to_string(byteOffset) +
+                        " needed, but the buffer has " + std::to_string(bytes));
+    }
+    device_->queue().enqueueCopyBufferToImage(source, image_, byteOffset, {0, 0, 0}, {width_, height_, 1}, nullptr,
+                                              &event);
+  });
+  device_->profiler().record("fill " + name_, event);
+}
+
+}  // namespace cdsm::device

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images to read volumes and map nodes through the texture units. In: host voxels or a buffer of nodes; out: an image
+// that was asked for only after the device said that it supports its format and size.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <CL/opencl.hpp>
+
+#include "device/device.hpp"
+#include "device/memory_account.hpp"
+
+namespace cdsm::device {
+
+/// A read-only image3d_t of one channel (CL_R), x fastest. Move-only.
+class VolumeTexture {
+ public:
+  using Size = std::array<std::size_t, 3>;  ///< voxels along x, y, z, each at least 1
+
+  VolumeTexture() = default;
+  /// `type`: CL_UNORM_INT8, CL_SNORM_INT8, CL_UNORM_INT16, CL_SNORM_INT16 or CL_FLOAT; `voxels`: tightly packed,
+  /// `bytes` of them. Throws DeviceError with obstacle()'s reason, or when `bytes` is not what size and type need.
+  VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels, std::size_t bytes,
+                const std::string& name);
+
+  /// Why the device cannot hold such a texture ("images of at most 2048 x 2048 x 2048 ..."); empty if it can.
+  static std::string obstacle(const Device& device, cl_channel_type type, const Size& size);
+
+  const cl::Image3D& image() const { return image_; }
+  const Size& size() const { return size_; }
+
+ private:
+  MemoryClaim claim_;
+  cl::Image3D image_;
+  Size size_{0, 0, 0};
+};
+
+/// A read-only image2d_t of CL_RGBA, CL_FLOAT (16 bytes a texel), filled on the device. Move-only.
+class NodeTexture {
+ public:
+  NodeTexture() = default;
+  /// Throws DeviceError when format or size is not supported.
+  NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name);
+
+  /// The largest {width, height} of a 2D image on the device, in texels; {0, 0} without images.
+  static std::array<std::size_t, 2> maxSize(const Device& device);
+
+  /// Copies width * height texels, row after row, from `source` at `byteOffset`.
+  void fill(const cl::Buffer& source, std::size_t byteOffset = 0);
+
+  const cl::Image2D& image() const { return image_; }
+  std::size_t width() const { return width_; }
+  std::size_t height() const { return height_; }
+
+ private:
+  Device* device_ = nullptr;
+  std::string name_;
+  MemoryClaim claim_;
+  cl::Image2D image_;
+  std::size_t width_ = 0;
+  std::size_t height_ = 0;
+};
+
+}  // namespace cdsm::device

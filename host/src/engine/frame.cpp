@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/frame.hpp"
+
+#include "cluster/light_camera.hpp"
+#include "engine/supersampling.hpp"
+#include "scene/changes.hpp"
+#include "scene/view.hpp"
+#include "technique/registry.hpp"
+
+namespace cdsm::engine {
+
+namespace {
+
+/// Nothing nearer to the camera than this part of the scene's size is seen.
+constexpr float kNearPart = 1e-5f;
+
+}  // namespace
+
+FrameState::FrameState(const EngineOptions& options)
+    : options_(options),
+      device_(device::Device::open(options.device, options.fetch)),
+      deviceScene_(*device_),
+      raster_(*device_),
+      shade_(*device_),
+      query_(*device_) {}
+
+Image FrameState::render(const Scene& scene) {
+  beginStats();
+  prepare(scene);
+
+  progress("render", 0.0f);
+  device_->profiler().beginGroup("render");
+  const int rays = scene.image.supersampling;
+  const float nearDepth = std::max(kNearPart * deviceScene_.bounds().diagonal(), 1e-20f);
+  const shared::ViewData view =
+      scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
+  build::Layers& layers = raster_.run(deviceScene_, view, [&](const std::string& what) { stats_.reports.push_back(what); });
+  const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
+  stats_.shadedSamples = shaded.shadedSamples;
+  Image image = resolve(shaded.pixels, scene.image);
+
+  finishStats(scene);
+  progress("render", 1.0f);
+  return image;
+}
+
+std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,
+                                                     const std::vector<glm::vec3>& points) {
+  beginStats();
+  prepare(scene);
+  device_->profiler().beginGroup("render");
+  const std::vector<float> values = query_.run(scene, deviceScene_, light, points, lights_, *technique_);
+  std::vector<Transmittance> results;
+  results.reserve(values.size());
+  for (const float value : values) results.push_back({std::uint8_t(value >= 0.0f), std::max(value, 0.0f)});
+  finishStats(scene);
+  return results;
+}
+
+void FrameState::prepare(const Scene& scene) {
+  const std::optional<Scene> before = std::exchange(current_, std::nullopt);
+  const bool objects = before && scene::sameObjects(*before, scene);
+  if (!objects) uploadObjects(scene);
+  regenerated_ = !objects || !scene::sameLightShapes(*before, scene) ||
+                 !scene::sameMapSettings(before->shadows, scene.shadows);
+  if (regenerated_) prepareTechnique(scene);
+  uploadLights(scene);
+  current_ = scene;
+}
+
+void FrameState::uploadObjects(const Scene& scene) {
+  progress("upload", 0.0f);
+  device_->profiler().beginGroup("upload");
+  deviceScene_.update(scene);
+}
+
+void FrameState::prepareTechnique(const Scene& scene) {
+  progress("shadows", 0.0f);
+  technique_.reset();
+  technique_ = technique::makeTechnique(scene.shadows, *device_);
+  device_->profiler().beginGroup("build maps");
+  technique_->prepare(scene, deviceScene_, raster_, [&](const std::string& what) { stats_.reports.push_back(what); });
+}
+
+void FrameState::uploadLights(const Scene& scene) {
+  std::vector<shared::LightData> lights;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const shared::uint2 maps = technique_->mapsOf(i);
+    lights.push_back(cluster::lightData(scene.lights[i], maps.x, maps.y));
+  }
+  lights_ = device::Buffer<shared::LightData>::fromHost(*device_, lights, "lights");
+}
+
+void FrameState::beginStats() {
+  begun_ = std::chrono::steady_clock::now();
+  stats_ = {};
+  device_->profiler().reset();
+}
+
+void FrameState::finishStats(const Scene& scene) {
+  device::Profiler& profiler = device_->profiler();
+  stats_.rasterizeMs = profiler.groupMilliseconds("rasterize");
+  stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
+  stats_.renderMs = profiler.groupMilliseconds("render");
+  stats_.kernels = profiler.kernels();
+  for (const Light& light : scene.lights) stats_.lights.push_back({light.name, "spot", {}});
+  technique_->addStats(scene, regenerated_, stats_);
+  stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
+}
+
+void FrameState::progress(const char* step, float done) const {
+  if (options_.progress) options_.progress(step, done);
+}
+
+}  // namespace cdsm::engine

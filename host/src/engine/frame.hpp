@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine's state, and a frame as its steps in order.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <cdsm/cdsm.hpp>
+
+#include "build/device_scene.hpp"
+#include "build/raster_pass.hpp"
+#include "device/device.hpp"
+#include "render/query_pass.hpp"
+#include "render/shade_pass.hpp"
+#include "technique/shadow_technique.hpp"
+
+namespace cdsm::engine {
+
+/// Everything behind Engine: the device, what is on it, and what it was made for.
+class FrameState {
+ public:
+  explicit FrameState(const EngineOptions& options);
+
+  Image render(const Scene& scene);
+  std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
+
+  const DeviceDescription& device() const { return device_->description(); }
+  const FrameStats& stats() const { return stats_; }
+
+ private:
+  /// Brings the device up to date with a scene: objects, then maps, each only if it changed.
+  void prepare(const Scene& scene);
+  void uploadObjects(const Scene& scene);
+  void prepareTechnique(const Scene& scene);
+  void uploadLights(const Scene& scene);
+  void beginStats();
+  void finishStats(const Scene& scene);
+  void progress(const char* step, float done) const;
+
+  EngineOptions options_;
+  std::unique_ptr<device::Device> device_;
+  build::DeviceScene deviceScene_;
+  build::RasterPass raster_;
+  render::ShadePass shade_;
+  render::QueryPass query_;
+  std::unique_ptr<technique::ShadowTechnique> technique_;
+  device::Buffer<shared::LightData> lights_;
+  std::optional<Scene> current_;  ///< what all of it was made for; empty after an error
+  bool regenerated_ = false;      ///< maps were built for this frame
+  FrameStats stats_;
+  std::chrono::steady_clock::time_point begun_;
+};
+
+}  // namespace cdsm::engine

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// [[light]], [[material]], [[mesh]] and [[volume]] of a scene file.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/mesh_file.hpp"
+#include "io/scene_parts.hpp"
+#include "io/spelling.hpp"
+#include "io/volume_file.hpp"
+#include "scene/range.hpp"
+#include "scene/transform.hpp"
+#include "scene/validate.hpp"
+
+namespace cdsm::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Choices kLightTypes{{"spot"}, {"omni", "directional"}};
+
+/// Reads through `cache`, where names that lead to the same file share an entry.
+template <typename Data, typename Read>
+std::shared_ptr<const Data> readOnce(std::map<std::string, std::shared_ptr<const Data>>& cache,
+                                     const std::string& folder, const std::string& file, Read read) {
+  const fs::path path = fs::path(folder) / file;
+  std::error_code failed;
+  const fs::path canonical = fs::weakly_canonical(path, failed);
+  std::shared_ptr<const Data>& entry = cache[failed ? path.string() : canonical.string()];
+  if (!entry) entry = read(path.string());
+  return entry;
+}
+
+std::string requiredText(const TableReader& reader, const char* key) {
+  reader.require(key);
+  const std::string text = reader.text(key, "");
+  if (text.empty()) reader.fail(key, std::string(key) + " is empty, must not be");
+  return text;
+}
+
+/// The index of the object that the key names.
+template <typename Object>
+int indexOf(const TableReader& reader, const char* key, const std::vector<Object>& objects, const char* kind) {
+  const std::string wanted = reader.text(key, "");
+  std::vector<std::string> names;
+  for (const Object& object : objects) {
+    if (object.name == wanted) return static_cast<int>(names.size());
+    names.push_back(object.name);
+  }
+  reader.fail(key, std::string("unknown ") + kind + " '" + wanted + "'" + suggestion(wanted, names));
+}
+
+glm::mat4 readMatrix(const TableReader& reader) {
+  for (const char* part : {"position", "rotation", "scale"}) {
+    if (reader.has(part)) reader.fail("matrix", std::string("matrix and ") + part + " are given, must be one of them");
+  }
+  const std::vector<float> rows = reader.numbers("matrix", 16, scene::kCoordinate);
+  glm::mat4 matrix;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) matrix[column][row] = rows[4 * row + column];
+  }
+  return matrix;
+}
+
+glm::vec3 readScale(const TableReader& reader) {
+  if (reader.has("scale") && reader.table().get("scale")->is_array()) {
+    return reader.vector("scale", glm::vec3(1.0f), scene::kCoordinate);
+  }
+  return glm::vec3(reader.number("scale", 1.0f, scene::kCoordinate));
+}
+
+glm::mat4 readTransform(const TableReader& reader) {
+  if (reader.has("matrix")) return readMatrix(reader);
+  const glm::vec3 position = reader.vector("position", glm::vec3(0.0f), scene::kCoordinate);
+  const glm::vec3 scale = readScale(reader);
+  if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f) reader.fail("scale", "scale is 0, must not be");
+  if (!reader.has("rotation")) return scene::composeTransform(position, glm::vec3(0.0f), 0.0f, scale);
+  const std::vector<float> rotation = reader.numbers("rotation", 4, scene::kCoordinate);
+  const glm::vec3 axis(rotation[0], rotation[1], rotation[2]);
+  if (axis == glm::vec3(0.0f) && rotation[3] != 0.0f) {
+    reader.fail("rotation", "rotation has an axis without length, must be [axis x, y, z, angle] with a direction");
+  }
+  return scene::composeTransform(position, axis, rotation[3], scale);
+}
+
+TransferFunction readTransferFunction(const TableReader& reader) {
+  TransferFunction transfer;
+  for (const auto& row : reader.points("opacity", 2, scene::kUnitInterval))
+    transfer.opacity.push_back({row[0], row[1]});
+  for (const auto& row : reader.points("color", 4, scene::kNotNegative)) {
+    transfer.color.push_back({row[0], {row[1], row[2], row[3]}});
+  }
+  transfer.unitDistance = reader.number("unit_distance", transfer.unitDistance, scene::kPositive);
+  return transfer;
+}
+
+}  // namespace
+
+std::shared_ptr<const MeshData> AssetCache::mesh(const std::string& file) {
+  return readOnce(meshes_, folder_, file, [](const std::string& path) { return readMesh(path); });
+}
+
+std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file) {
+  return readOnce(volumes_, folder_, file, [](const std::string& path) { return readVolume(path); });
+}
+
+Light readLight(const toml::table& table) {
+  const TableReader reader(table, "[[light]]", {"name", "type", "position", "target", "direction", "cutoff", "color"});
+  Light light;
+  light.name = requiredText(reader, "name");
+  reader.choice("type", "spot", kLightTypes);
+  if (reader.has("direction"))
+    reader.fail("direction", "direction is for directional lights, which are not supported yet");
+  light.position = reader.vector("position", light.position, scene::kCoordinate);
+  light.target = reader.vector("target", light.target, scene::kCoordinate);
+  light.cutoff = reader.number("cutoff", light.cutoff, scene::kCutoff);
+  light.color = reader.vector("color", light.color, scene::kNotNegative);
+  reader.locate("", [&] { scene::validateLight(light); });
+  return light;
+}
+
+Material readMaterial(const toml::table& table) {
+  const TableReader reader(table, "[[material]]",
+                           {"name", "diffuse", "specular", "shininess", "opacity", "transmission"});
+  Material material;
+  material.name = requiredText(reader, "name");
+  material.diffuse = reader.vector("diffuse", material.diffuse, scene::kNotNegative);
+  material.specular = reader.vector("specular", material.specular, scene::kNotNegative);
+  material.shininess = reader.number("shininess", material.shininess, scene::kNotNegative);
+  material.opacity = reader.number("opacity", material.opacity, scene::kUnitInterval);
+  if (reader.vector("transmission", glm::vec3(0.0f), scene::kUnitInterval) != glm::vec3(0.0f)) {
+    reader.fail("transmission", "transmission other than [0, 0, 0] is not supported yet");
+  }
+  return material;
+}
+
+Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
+  const TableReader reader(
+      table, "[[mesh]]",
+      {"name", "file", "material", "position", "rotation", "scale", "matrix", "interior_extinction", "interior_color"});
+  Mesh mesh;
+  mesh.name = requiredText(reader, "name");
+  const std::string file = requiredText(reader, "file");
+  reader.require("material");
+  mesh.material = indexOf(reader, "material", scene.materials, "material");
+  mesh.worldFromObject = readTransform(reader);
+  mesh.interiorExtinction = reader.number("interior_extinction", mesh.interiorExtinction, scene::kNotNegative);
+  mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
+  reader.locate("file", [&] { mesh.data = assets.mesh(file); });
+  reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size()); });
+  return mesh;
+}
+
+Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
+  const TableReader reader(table, "[[volume]]",
+                           {"name", "file", "boundary", "opacity", "color", "transmission", "unit_distance", "specular",
+                            "shininess", "shading", "position", "rotation", "scale", "matrix"});
+  Volume volume;
+  volume.name = requiredText(reader, "name");
+  const std::string file = requiredText(reader, "file");
+  volume.transfer = readTransferFunction(reader);
+  reader.refuseUnlessEmpty("transmission");
+  volume.worldFromObject = readTransform(reader);
+  volume.specular = reader.vector("specular", volume.specular, scene::kNotNegative);
+  volume.shininess = reader.number("shininess", volume.shininess, scene::kNotNegative);
+  volume.shading = reader.flag("shading", volume.shading);
+  if (!reader.text("boundary", "").empty()) volume.boundary = indexOf(reader, "boundary", scene.meshes, "mesh");
+  reader.locate("file", [&] { volume.data = assets.volume(file); });
+  reader.locate(volume.boundary < 0 ? "file" : "boundary", [&] { scene::validateVolume(volume, scene.meshes); });
+  return volume;
+}
+
+}  // namespace cdsm::io

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scene file, one function per table; scene_file.cpp puts them together.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <toml++/toml.h>
+
+#include <cdsm/scene.hpp>
+
+#include "io/toml_reader.hpp"
+
+namespace cdsm::io {
+
+/// Mesh and volume files by what they really are on disk: each is read once.
+class AssetCache {
+ public:
+  /// `folder` is what relative names start from: the scene file's.
+  explicit AssetCache(std::string folder) : folder_(std::move(folder)) {}
+
+  std::shared_ptr<const MeshData> mesh(const std::string& file);
+  std::shared_ptr<const VolumeData> volume(const std::string& file);
+
+ private:
+  std::string folder_;
+  std::map<std::string, std::shared_ptr<const MeshData>> meshes_;
+  std::map<std::string, std::shared_ptr<const VolumeData>> volumes_;
+};
+
+Camera readCamera(const toml::table& table);
+ImageSettings readImageSettings(const toml::table& table);
+ShadowSettings readShadows(const toml::table& table);
+
+Light readLight(const toml::table& table);
+Material readMaterial(const toml::table& table);
+/// `scene` has its materials.
+Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets);
+/// `scene` has its meshes.
+Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets);
+
+}  // namespace cdsm::io

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// [camera], [image] and [shadows] of a scene file.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/scene_parts.hpp"
+#include "scene/range.hpp"
+#include "scene/validate.hpp"
+
+namespace cdsm::io {
+namespace {
+
+const Choices kTechniques{{"none", "shadow-rays", "deep-shadow-map"}, {"shadow-map", "stochastic", "implicit-sphere"}};
+const Choices kMemories{{"atlas", "chunked"}, {"exact", "tiled", "fixed"}};
+const Choices kFilters{{"bilinear", "nearest"}, {}};
+const Choices kTransmittances{{"grey"}, {"rgb"}};
+const Choices kCaches{{"none"}, {"volume"}};
+
+/// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
+/// accepted and ignored: nothing that this version computes depends on it.
+const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"clusters", 1.0},
+                                                                   {"cluster_distance", 0.25},
+                                                                   {"threshold", 0.5},
+                                                                   {"samples", 13.0},
+                                                                   {"seed", 1.0},
+                                                                   {"pcf", 1.0},
+                                                                   {"patch", 1.0},
+                                                                   {"softness", 0.0},
+                                                                   {"softness_distance", 1.0},
+                                                                   {"softness_exponent", 1.0}};
+
+std::vector<std::string> shadowKeys() {
+  std::vector<std::string> keys{"technique", "memory", "map_size",      "tolerance", "filter",
+                                "step",      "bias",   "transmittance", "cache"};
+  for (const auto& [key, accepted] : kLaterShadowKeys) keys.push_back(key);
+  return keys;
+}
+
+}  // namespace
+
+Camera readCamera(const toml::table& table) {
+  const TableReader reader(table, "[camera]", {"position", "target", "up", "fov"});
+  Camera camera;
+  camera.position = reader.vector("position", camera.position, scene::kCoordinate);
+  camera.target = reader.vector("target", camera.target, scene::kCoordinate);
+  camera.up = reader.vector("up", camera.up, scene::kCoordinate);
+  camera.fov = reader.number("fov", camera.fov, scene::kFov);
+  reader.locate("", [&] { scene::validateCamera(camera); });
+  return camera;
+}
+
+ImageSettings readImageSettings(const toml::table& table) {
+  const TableReader reader(table, "[image]", {"width", "height", "background", "ambient", "supersampling"});
+  ImageSettings image;
+  image.width = reader.integer("width", image.width, scene::kImageSide);
+  image.height = reader.integer("height", image.height, scene::kImageSide);
+  image.background = reader.vector("background", image.background, scene::kNotNegative);
+  image.ambient = reader.vector("ambient", image.ambient, scene::kNotNegative);
+  image.supersampling = reader.integer("supersampling", image.supersampling, scene::kSupersampling);
+  return image;
+}
+
+ShadowSettings readShadows(const toml::table& table) {
+  const TableReader reader(table, "[shadows]", shadowKeys());
+  ShadowSettings shadows;
+  shadows.technique = reader.choice("technique", shadows.technique, kTechniques);
+  shadows.memory = reader.choice("memory", shadows.memory, kMemories);
+  shadows.mapSize = reader.integer("map_size", shadows.mapSize, scene::kMapSize);
+  shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
+  shadows.filter = reader.choice("filter", shadows.filter, kFilters);
+  shadows.step = reader.number("step", shadows.step, scene::kNotNegative);
+  shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
+  reader.choice("transmittance", "grey", kTransmittances);
+  reader.choice("cache", "none", kCaches);
+  for (const auto& [key, accepted] : kLaterShadowKeys) reader.refuseUnless(key, accepted);
+  reader.locate("", [&] { scene::validateShadows(shadows); });
+  return shadows;
+}
+
+}  // namespace cdsm::io

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the nodes of deep shadow maps are kept. A strategy is one kernel file (kernels/memory/NAME.clh: how nodes are
+// written and read), one pair of host files and one line in the registry.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cdsm/stats.hpp>
+
+#include "device/buffer.hpp"
+#include "device/kernel.hpp"
+#include "shared/map_data.h"
+
+namespace cdsm::memory {
+
+/// Nodes of one finished map.
+struct NodeCounts {
+  std::uint64_t total = 0;
+  std::uint64_t most = 0;  ///< of a texel
+};
+
+/// What became of a map that was just built.
+enum class MapOutcome {
+  Complete,
+  BuildAgain,     ///< room was made: build this map again
+  BuildAllAgain,  ///< making room moved every map: reserve() and build them all again
+};
+
+/// The nodes of all maps. Use: reserve() once for all maps; then for each map beginMap(), the build kernel with
+/// writeArguments(), finishMap(); finish() after the last one; then readArguments().
+class MemoryStrategy {
+ public:
+  virtual ~MemoryStrategy() = default;
+
+  /// Path of the kernel file.
+  virtual const char* kernelFile() const = 0;
+
+  /// Makes room for these maps and says in each where its part of the bookkeeping is. Throws DeviceError if that is too much.
+  virtual void reserve(std::vector<shared::MapData>& maps) = 0;
+  virtual void beginMap() = 0;
+  /// Says in `map` where its nodes are. Unless it is complete, the reason goes to `why`.
+  virtual MapOutcome finishMap(std::size_t index, shared::MapData& map, std::string& why) = 0;
+  virtual void finish() = 0;
+
+  virtual shared::MemoryParams params() const = 0;
+  /// Arguments of CDSM_MEMORY_WRITE_PARAMS behind MemoryParams.
+  virtual device::ArgumentList writeArguments() const = 0;
+  /// Arguments of CDSM_MEMORY_READ_BUFFERS.
+  virtual device::ArgumentList readArguments() const = 0;
+
+  virtual NodeCounts nodeCounts(std::size_t index) const = 0;
+  virtual MemoryStats stats() const = 0;
+};
+
+}  // namespace cdsm::memory

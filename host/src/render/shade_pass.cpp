@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/shade_pass.hpp"
+
+#include <numeric>
+
+namespace cdsm::render {
+
+namespace {
+
+/// Part of the scene's size by which surfaces are moved towards the light unless the scene says otherwise: more than
+/// the rounding of depths, less than anybody sees.
+constexpr float kBiasPart = 2e-4f;
+
+shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& deviceScene,
+                                const shared::ViewData& view) {
+  shared::ShadeParams params{};
+  params.view = view;
+  params.ambient = {scene.image.ambient, 0.0f};
+  params.interiorStep = deviceScene.interiorStep();
+  params.bias = scene.shadows.bias > 0.0f ? scene.shadows.bias : kBiasPart * deviceScene.bounds().diagonal();
+  params.lightCount = shared::uint(scene.lights.size());
+  params.lookupTolerance = scene.shadows.tolerance;
+  return params;
+}
+
+}  // namespace
+
+ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
+                          const device::Buffer<shared::LightData>& lights,
+                          const technique::ShadowTechnique& technique) {
+  using ShadeKernel = device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                                     device::Buffer<shared::LightData>, device::Buffer<shared::float4>,
+                                     device::Buffer<std::uint32_t>, shared::TechniqueParams, device::ArgumentList,
+                                     device::ArgumentList>;
+  const shared::ViewData& view = layers.view;
+  const std::size_t pixels = std::size_t(view.width) * view.height;
+  if (image_.size() != pixels) {
+    image_ = {};
+    image_ = device::Buffer<shared::float4>(device_, pixels, "image");
+    samples_ = device::Buffer<std::uint32_t>(device_, pixels, "samples per pixel");
+  }
+  ShadeKernel shadePixels(device_,
+                          build::sceneProgram(device_, deviceScene, "render/shade.cl", technique.kernelFiles()),
+                          "shadePixels");
+  const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
+  shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, shadeParams(scene, deviceScene, view), layers.fragments,
+              layers.ranges, lights, image_, samples_, technique.params(scene), technique.arguments(),
+              deviceScene.arguments(layers.initialObjects));
+  ShadedView shaded;
+  shaded.pixels = image_.download();
+  const auto samples = samples_.download();
+  shaded.shadedSamples = std::accumulate(samples.begin(), samples.end(), std::uint64_t(0));
+  return shaded;
+}
+
+}  // namespace cdsm::render

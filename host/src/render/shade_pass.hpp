@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fragments of the camera's view -> image [Knecht 2011, §3.3, Alg. 3.3].
+#pragma once
+
+#include <vector>
+
+#include "build/device_scene.hpp"
+#include "build/raster_pass.hpp"
+#include "technique/shadow_technique.hpp"
+
+namespace cdsm::render {
+
+struct ShadedView {
+  std::vector<shared::float4> pixels;  ///< rgba, row after row; colour weighted by opacity
+  std::uint64_t shadedSamples = 0;
+};
+
+class ShadePass {
+ public:
+  explicit ShadePass(device::Device& device) : device_(device) {}
+
+  ShadedView run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
+                 const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique);
+
+ private:
+  device::Device& device_;
+  device::Buffer<shared::float4> image_;
+  device::Buffer<std::uint32_t> samples_;
+};
+
+}  // namespace cdsm::render

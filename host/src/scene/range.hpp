@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Allowed ranges of the scene's numbers: one list for the scene file's reader and for scenes made in code.
+#pragma once
+
+#include <cfloat>
+#include <string>
+
+namespace cdsm::scene {
+
+/// An interval of numbers; NaN lies in none.
+struct Range {
+  double low;
+  double high;
+  bool lowOpen = false;   ///< `low` itself is not allowed
+  bool highOpen = false;  ///< `high` itself is not allowed
+  const char* unit = "";
+
+  bool contains(double value) const {
+    return (lowOpen ? value > low : value >= low) && (highOpen ? value < high : value <= high);
+  }
+  /// "in [1, 8]", "at least 0", "above 0", "a finite number", each with its unit.
+  std::string text() const;
+};
+
+inline constexpr Range kAnyNumber{-FLT_MAX, FLT_MAX};
+/// Wide enough for any scene, narrow enough that the square of a squared length is still a float.
+inline constexpr Range kCoordinate{-1e9, 1e9, false, false, "world units"};
+inline constexpr Range kNotNegative{0.0, FLT_MAX};
+inline constexpr Range kPositive{0.0, FLT_MAX, true};
+inline constexpr Range kUnitInterval{0.0, 1.0};
+inline constexpr Range kFov{0.0, 180.0, true, true, "degrees"};
+inline constexpr Range kCutoff{0.0, 90.0, true, true, "degrees"};
+inline constexpr Range kImageSide{1, 16384, false, false, "pixels"};
+inline constexpr Range kMapSize{8, 16384, false, false, "texels"};
+inline constexpr Range kSupersampling{1, 8};
+inline constexpr Range kTolerance{0.0, 1.0, false, true};
+
+/// A number as messages show it: seven significant digits.
+std::string formatNumber(double value);
+
+/// Throws Error "WHAT is VALUE, must be RANGE".
+void requireRange(double value, const Range& range, const std::string& what);
+
+}  // namespace cdsm::scene

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of whole scenes, cameras, lights and objects; the grids, triangles and curves are in validate_data.cpp.
+#include "scene/validate.hpp"
+
+#include <cmath>
+
+#include <cdsm/error.hpp>
+
+#include "scene/closed_mesh.hpp"
+#include "scene/range.hpp"
+#include "scene/transform.hpp"
+
+namespace cdsm {
+namespace scene {
+namespace {
+
+/// World units; the square of anything longer is still a normal float.
+constexpr double kShortestView = 1e-12;
+/// Sine of the angle between up and view direction, below which the image's sides are mostly rounding error.
+constexpr double kSmallestSine = 1e-4;
+
+std::string quoted(const char* kind, const std::string& name) { return std::string(kind) + " '" + name + "'"; }
+
+void requireVector(const glm::vec3& value, const Range& range, const std::string& what) {
+  for (int axis = 0; axis < 3; ++axis) requireRange(value[axis], range, what);
+}
+
+void requireDistinct(const glm::vec3& position, const glm::vec3& target, const std::string& what) {
+  if (glm::distance(glm::dvec3(position), glm::dvec3(target)) < kShortestView) {
+    throw Error(what + ": position and target are the same point, must differ");
+  }
+}
+
+void requireTransform(const glm::mat4& worldFromObject, const std::string& what) {
+  if (!isInvertibleAffine(worldFromObject)) {
+    throw Error(what + ": the transform cannot be inverted, must be finite, without a scale of 0 and with the last " +
+                "row 0 0 0 1");
+  }
+  requireVector(glm::vec3(worldFromObject[3]), kCoordinate, what + ": the transform's position");
+}
+
+void requireClosed(const Mesh& mesh, const std::string& why) {
+  const std::size_t open = openEdges(*mesh.data);
+  if (open == 0) return;
+  throw Error(quoted("mesh", mesh.name) + " has " + std::to_string(open) + " open edge" + (open == 1 ? "" : "s") +
+              ", must be closed " + why);
+}
+
+}  // namespace
+
+void validateCamera(const Camera& camera) {
+  requireVector(camera.position, kCoordinate, "camera position");
+  requireVector(camera.target, kCoordinate, "camera target");
+  requireVector(camera.up, kCoordinate, "camera up");
+  requireRange(camera.fov, kFov, "camera fov");
+  requireDistinct(camera.position, camera.target, "camera");
+  const glm::dvec3 up(camera.up);
+  if (glm::length(up) < kShortestView) throw Error("camera up has no length, must be a direction");
+  const glm::dvec3 view = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+  if (glm::length(glm::cross(view, glm::normalize(up))) < kSmallestSine) {
+    throw Error("camera up is parallel to the view direction, must point to another side");
+  }
+}
+
+void validateImage(const ImageSettings& image) {
+  requireRange(image.width, kImageSide, "image width");
+  requireRange(image.height, kImageSide, "image height");
+  requireRange(image.supersampling, kSupersampling, "image supersampling");
+  requireVector(image.background, kNotNegative, "image background");
+  requireVector(image.ambient, kNotNegative, "image ambient");
+}
+
+void validateShadows(const ShadowSettings& shadows) {
+  requireRange(shadows.mapSize, kMapSize, "shadows map_size");
+  requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
+  requireRange(shadows.step, kNotNegative, "shadows step");
+  requireRange(shadows.bias, kNotNegative, "shadows bias");
+  if (shadows.filter != "bilinear" && shadows.filter != "nearest") {
+    throw Error("shadows filter is '" + shadows.filter + "', must be bilinear or nearest");
+  }
+}
+
+void validateLight(const Light& light) {
+  const std::string what = quoted("light", light.name);
+  requireVector(light.position, kCoordinate, what + ": position");
+  requireVector(light.target, kCoordinate, what + ": target");
+  requireVector(light.color, kNotNegative, what + ": color");
+  requireRange(light.cutoff, kCutoff, what + ": cutoff");
+  requireDistinct(light.position, light.target, what);
+}
+
+void validateMaterial(const Material& material) {
+  const std::string what = quoted("material", material.name);
+  requireVector(material.diffuse, kNotNegative, what + ": diffuse");
+  requireVector(material.specular, kNotNegative, what + ": specular");
+  requireRange(material.shininess, kNotNegative, what + ": shininess");
+  requireRange(material.opacity, kUnitInterval, what + ": opacity");
+}
+
+void validateMesh(const Mesh& mesh, std::size_t materialCount) {
+  const std::string what = quoted("mesh", mesh.name);
+  if (!mesh.data) throw Error(what + " has no data, must point to a MeshData");
+  requireTransform(mesh.worldFromObject, what);
+  validateMeshData(*mesh.data, what);
+  if (mesh.material < 0 || static_cast<std::size_t>(mesh.material) >= materialCount) {
+    throw Error(what + ": material index is " + std::to_string(mesh.material) + ", must be below the number of " +
+                "materials, " + std::to_string(materialCount));
+  }
+  requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
+  requireVector(mesh.interiorColor, kNotNegative, what + ": interior_color");
+  if (mesh.interiorExtinction > 0.0f) requireClosed(mesh, "to have an interior_extinction");
+}
+
+void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes) {
+  const std::string what = quoted("volume", volume.name);
+  if (!volume.data) throw Error(what + " has no data, must point to a VolumeData");
+  requireTransform(volume.worldFromObject, what);
+  validateVolumeData(*volume.data, what);
+  validateTransferFunction(volume.transfer, what);
+  requireVector(volume.specular, kNotNegative, what + ": specular");
+  requireRange(volume.shininess, kNotNegative, what + ": shininess");
+  if (volume.boundary < -1 || volume.boundary >= static_cast<int>(meshes.size())) {
+    throw Error(what + ": boundary index is " + std::to_string(volume.boundary) + ", must be -1 or below the number " +
+                "of meshes, " + std::to_string(meshes.size()));
+  }
+  if (volume.boundary >= 0) requireClosed(meshes[volume.boundary], "to be the boundary of " + what);
+}
+
+}  // namespace scene
+
+void validate(const Scene& scene) {
+  scene::validateCamera(scene.camera);
+  scene::validateImage(scene.image);
+  scene::validateShadows(scene.shadows);
+  for (const Light& light : scene.lights) scene::validateLight(light);
+  for (const Material& material : scene.materials) scene::validateMaterial(material);
+  for (const Mesh& mesh : scene.meshes) scene::validateMesh(mesh, scene.materials.size());
+  for (const Volume& volume : scene.volumes) scene::validateVolume(volume, scene.meshes);
+}
+
+}  // namespace cdsm

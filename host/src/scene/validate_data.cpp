@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of what readers and embedders hand over in bulk: triangles, voxels, transfer functions.
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include <cdsm/error.hpp>
+
+#include "scene/range.hpp"
+#include "scene/transform.hpp"
+#include "scene/validate.hpp"
+
+namespace cdsm::scene {
+namespace {
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void requireFinite(const std::vector<glm::vec3>& vectors, const std::string& what) {
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    if (!isFinite(vectors[i])) throw Error(what + " " + std::to_string(i) + " is not finite, must be numbers");
+  }
+}
+
+/// Product of the sides, or 0 when it does not fit.
+std::uint64_t voxelCount(const glm::uvec3& size) {
+  const std::uint64_t plane = static_cast<std::uint64_t>(size.x) * size.y;
+  return size.z != 0 && plane > (UINT64_MAX >> 3) / size.z ? 0 : plane * size.z;
+}
+
+/// An index of a float voxel that is NaN or infinite, or `count`.
+std::size_t findNonFinite(const std::vector<std::byte>& voxels, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    float value;
+    std::memcpy(&value, voxels.data() + i * sizeof value, sizeof value);
+    if (!std::isfinite(value)) return i;
+  }
+  return count;
+}
+
+template <typename Point>
+void requireAscending(const std::vector<Point>& points, const std::string& what) {
+  if (points.empty()) throw Error(what + " has no points, must have at least one");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    requireRange(points[i].value, kAnyNumber, what + ": value " + std::to_string(i));
+    if (i > 0 && points[i].value < points[i - 1].value) {
+      throw Error(what + ": value " + formatNumber(points[i].value) + " follows " + formatNumber(points[i - 1].value) +
+                  ", must be ascending (equal values make a step)");
+    }
+  }
+}
+
+}  // namespace
+
+void validateMeshData(const MeshData& data, const std::string& what) {
+  if (data.triangles.empty()) throw Error(what + " has no triangles, must have at least one");
+  requireFinite(data.positions, what + ": position");
+  requireFinite(data.normals, what + ": normal");
+  if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
+    throw Error(what + " has " + std::to_string(data.normals.size()) + " normals for " +
+                std::to_string(data.positions.size()) + " positions, must be none or one for each");
+  }
+  for (std::size_t i = 0; i < data.triangles.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t index = data.triangles[i][corner];
+      if (index < data.positions.size()) continue;
+      throw Error(what + ": triangle " + std::to_string(i) + " has the index " + std::to_string(index) +
+                  ", must be below the number of positions, " + std::to_string(data.positions.size()));
+    }
+  }
+}
+
+void validateVolumeData(const VolumeData& data, const std::string& what) {
+  const std::uint64_t count = voxelCount(data.size);
+  const std::string sides =
+      std::to_string(data.size.x) + " x " + std::to_string(data.size.y) + " x " + std::to_string(data.size.z);
+  if (count == 0) throw Error(what + " has " + sides + " voxels, must be at least one along each axis and fit memory");
+  const std::uint64_t bytes = count * voxelBytes(data.type);
+  if (data.voxels.size() != bytes) {
+    throw Error(what + " has " + std::to_string(data.voxels.size()) + " bytes for " + sides + " voxels, must be " +
+                std::to_string(bytes));
+  }
+  if (!isInvertibleAffine(data.objectFromIndex)) {
+    throw Error(what + ": the grid's axes span no space, must be finite and independent");
+  }
+  if (data.type != VoxelType::Float32) return;
+  const std::size_t bad = findNonFinite(data.voxels, count);
+  if (bad < count) throw Error(what + ": voxel " + std::to_string(bad) + " is not finite, must be a number");
+}
+
+void validateTransferFunction(const TransferFunction& transfer, const std::string& what) {
+  requireAscending(transfer.opacity, what + ": opacity");
+  requireAscending(transfer.color, what + ": color");
+  for (const auto& point : transfer.opacity) requireRange(point.opacity, kUnitInterval, what + ": opacity");
+  for (const auto& point : transfer.color) {
+    for (int channel = 0; channel < 3; ++channel) requireRange(point.color[channel], kNotNegative, what + ": color");
+  }
+  requireRange(transfer.unitDistance, kPositive, what + ": unit_distance");
+}
+
+}  // namespace cdsm::scene

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/view.hpp"
+
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+namespace cdsm::scene {
+
+void Bounds::add(const glm::vec3& point) {
+  low = glm::min(low, point);
+  high = glm::max(high, point);
+}
+
+float Bounds::diagonal() const { return low.x <= high.x ? glm::length(high - low) : 0.0f; }
+
+glm::mat4 worldFromIndex(const Volume& volume) { return volume.worldFromObject * volume.data->objectFromIndex; }
+
+Bounds worldBounds(const Scene& scene) {
+  Bounds bounds;
+  for (const Mesh& mesh : scene.meshes)
+    for (const glm::vec3& p : mesh.data->positions) bounds.add(glm::vec3(mesh.worldFromObject * glm::vec4(p, 1.0f)));
+  for (const Volume& volume : scene.volumes) {
+    const glm::mat4 matrix = worldFromIndex(volume);
+    const glm::vec3 size(volume.data->size);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 unit(corner & 1, corner >> 1 & 1, corner >> 2);
+      bounds.add(glm::vec3(matrix * glm::vec4(unit * size - 0.5f, 1.0f)));
+    }
+  }
+  return bounds;
+}
+
+shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& up, float tanX,
+                                 float tanY, int width, int height, float nearDepth) {
+  const glm::vec3 right = glm::normalize(glm::cross(forward, up));
+  const glm::vec3 down = glm::cross(forward, right);
+  // u = (right.p / depth / tanX + 1) * width / 2, times depth; v likewise
+  const float scaleX = 0.5f * float(width) / tanX, scaleY = 0.5f * float(height) / tanY;
+  const glm::vec3 rowU = right * scaleX + forward * (0.5f * float(width));
+  const glm::vec3 rowV = down * scaleY + forward * (0.5f * float(height));
+  shared::ViewData view{};
+  view.pixelU = {rowU, -glm::dot(rowU, eye)};
+  view.pixelV = {rowV, -glm::dot(rowV, eye)};
+  view.pixelW = view.depth = {forward, -glm::dot(forward, eye)};
+  view.origin = {eye, 0.0f};
+  view.dir = {forward - right * tanX - down * tanY, 0.0f};
+  view.dirU = {right / scaleX, 0.0f};
+  view.dirV = {down / scaleY, 0.0f};
+  view.width = width;
+  view.height = height;
+  view.tilesX = (width + CDSM_TILE - 1) / CDSM_TILE;
+  view.tilesY = (height + CDSM_TILE - 1) / CDSM_TILE;
+  view.nearDepth = nearDepth;
+  return view;
+}
+
+shared::ViewData cameraView(const Camera& camera, int width, int height, float nearDepth) {
+  const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+  const float tanY = std::tan(glm::radians(camera.fov) * 0.5f);
+  return perspectiveView(camera.position, forward, camera.up, tanY * float(width) / float(height), tanY, width, height,
+                         nearDepth);
+}
+
+}  // namespace cdsm::scene

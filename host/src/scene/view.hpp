@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Views: the camera's, and a light's map, as rows and rays for the kernels (shared/view_data.h).
+#pragma once
+
+#include <cdsm/scene.hpp>
+
+#include "shared/view_data.h"
+
+namespace cdsm::scene {
+
+/// An axis-aligned box in world space; empty as made.
+struct Bounds {
+  glm::vec3 low{INFINITY};
+  glm::vec3 high{-INFINITY};
+
+  void add(const glm::vec3& point);
+  /// Length of the diagonal; 0 if empty.
+  float diagonal() const;
+};
+
+/// All that is drawn: meshes, and the boxes of the volumes.
+Bounds worldBounds(const Scene& scene);
+
+/// World position of voxel coordinates of a volume.
+glm::mat4 worldFromIndex(const Volume& volume);
+
+/// A perspective view from `eye` towards `forward` (unit), `up` not parallel to it. tanX and tanY: half widths of the
+/// picture at distance 1. `nearDepth` > 0: nothing nearer is seen.
+shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& up, float tanX,
+                                 float tanY, int width, int height, float nearDepth);
+
+/// The camera's view of `width` x `height` rays.
+shared::ViewData cameraView(const Camera& camera, int width, int height, float nearDepth);
+
+}  // namespace cdsm::scene

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "technique/shadow_rays.hpp"
+
+#include <cstring>
+
+#include "technique/bvh.hpp"
+
+namespace cdsm::technique {
+
+namespace {
+
+float dotPoint(const shared::float4& row, const float* p) { return row.x * p[0] + row.y * p[1] + row.z * p[2] + row.w; }
+
+shared::float4 worldCorner(const build::DeviceScene& scene, const shared::ObjectData& object, unsigned corner) {
+  const float* p = scene.hostPositions().data() + 3 * std::size_t(corner);
+  const shared::Affine& m = object.worldFromObject;
+  return {dotPoint(m.x, p), dotPoint(m.y, p), dotPoint(m.z, p), 0.0f};
+}
+
+/// Surfaces and what encloses an interior or cuts a volume. Boxes of volumes are met by formula.
+std::vector<shared::BvhTriangle> castingTriangles(const build::DeviceScene& scene) {
+  std::vector<shared::BvhTriangle> triangles;
+  for (const shared::uint4& t : scene.hostTriangles()) {
+    const shared::ObjectData& object = scene.hostObjects()[t.w];
+    if (scene.isBox(t.w) || (object.diffuse.w <= 0.0f && object.mediumCount == 0)) continue;
+    shared::BvhTriangle triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
+                                 worldCorner(scene, object, t.z)};
+    std::memcpy(&triangle.a.w, &t.w, sizeof(float));
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+void ShadowRays::prepare(const Scene& scene, const build::DeviceScene& deviceScene, build::RasterPass&,
+                         const build::RasterPass::Report&) {
+  const Bvh bvh = buildBvh(castingTriangles(deviceScene));
+  nodes_ = device::Buffer<shared::BvhNode>::fromHost(device_, bvh.nodes, "hierarchy of triangles");
+  triangles_ = device::Buffer<shared::BvhTriangle>::fromHost(device_, bvh.triangles, "triangles of shadow rays");
+  std::vector<std::uint32_t> objects;
+  around_.clear();
+  for (const Light& light : scene.lights) {
+    const auto around = deviceScene.objectsAround(light.position);
+    around_.push_back({shared::uint(objects.size()), shared::uint(around.size())});
+    objects.insert(objects.end(), around.begin(), around.end());
+  }
+  lightObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, objects, "objects around lights");
+  const auto mediumObjects = deviceScene.objectsOfMedia();
+  mediumCount_ = mediumObjects.size();
+  mediumObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, mediumObjects, "objects of media");
+}
+
+shared::TechniqueParams ShadowRays::params(const Scene&) const {
+  shared::TechniqueParams params{};
+  params.mediumCount = shared::uint(mediumCount_);
+  params.nodeCount = shared::uint(nodes_.size());
+  return params;
+}
+
+device::ArgumentList ShadowRays::arguments() const {
+  return {nodes_.cl(), triangles_.cl(), lightObjects_.cl(), mediumObjects_.cl()};
+}
+
+}  // namespace cdsm::technique

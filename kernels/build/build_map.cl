@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sorted fragments of a light's view -> one compressed visibility function per texel, handed to the memory strategy
+// [Knecht 2011, §3.2, Alg. 3.1].
+#include "common/math.clh"
+#include "common/medium.clh"
+#include "common/segments.clh"
+#include "build/compress.clh"
+#include "shared/frame_data.h"
+
+/// What marching a light ray carries along.
+typedef struct LightRay {
+  Ray ray;
+  VisibilityBuilder builder;
+  float transmittance;
+  float least;  // below it nothing visible can change any more
+} LightRay;
+
+/// One step with optical depth tau > 0 between two depths.
+void absorb(LightRay* r, float from, float to, float tau) {
+  r->transmittance *= transmittanceOf(tau);
+  if (r->transmittance < r->least) r->transmittance = 0.0f;
+  fallTo(&r->builder, from, to, r->transmittance);
+}
+
+/// One volume alone: whole runs of samples in empty macrocells are skipped.
+void marchVolume(LightRay* r, SceneAccess scene, const MediumData* m, const Steps* steps CDSM_VOLUME_PARAMS) {
+  IndexRay index = indexRay(m, &r->ray);
+  for (int i = 0; i < steps->count;) {
+    Run run = volumeRun(m, scene.cells, &index, steps, i);
+    if (run.empty) {
+      i = run.end;
+      continue;
+    }
+    for (; i < run.end; ++i) {
+      float3 p = index.origin + sampleDepth(steps, i) * index.dir;
+      float extinction = volumeExtinction(scene, m, p CDSM_VOLUME_ARGS);
+      if (extinction <= 0.0f) continue;
+      float from = steps->start + (float)i * steps->spacing;
+      absorb(r, from, from + steps->spacing, extinction * steps->length);
+      if (r->transmittance == 0.0f) return;
+    }
+  }
+}
+
+/// Any media together: extinctions add [INTERFACE, 4.2].
+void marchMedia(LightRay* r, SceneAccess scene, const SegmentWalk* walk, const Steps* steps CDSM_VOLUME_PARAMS) {
+  for (int i = 0; i < steps->count; ++i) {
+    float3 p = r->ray.origin + sampleDepth(steps, i) * r->ray.dir;
+    float extinction = 0.0f;
+    for (uint k = 0; k < walk->mediumCount; ++k) {
+      MediumData m = scene.media[activeMedium(walk, scene, k)];
+      extinction += mediumExtinction(scene, &m, p CDSM_VOLUME_ARGS);
+    }
+    if (extinction <= 0.0f) continue;
+    float from = steps->start + (float)i * steps->spacing;
+    absorb(r, from, from + steps->spacing, extinction * steps->length);
+    if (r->transmittance == 0.0f) return;
+  }
+}
+
+void marchSegment(LightRay* r, SceneAccess scene, const SegmentWalk* walk, float end,
+                  float interiorStep CDSM_VOLUME_PARAMS) {
+  Steps steps = stepsOf(walk->depth, end, segmentStep(walk, scene, interiorStep), &r->ray);
+  if (walk->mediumCount == 1) {
+    MediumData m = scene.media[activeMedium(walk, scene, 0)];
+    if (m.size.w >= 0) {
+      marchVolume(r, scene, &m, &steps CDSM_VOLUME_ARGS);
+      return;
+    }
+  }
+  marchMedia(r, scene, walk, &steps CDSM_VOLUME_ARGS);
+}
+
+/// A group per tile, an item per texel.
+__kernel void buildVisibility(BuildParams params, __global ulong* fragments, __global const uint2* ranges,
+                              __global const MapData* maps, CDSM_MEMORY_WRITE_PARAMS, CDSM_SCENE_PARAMS) {
+  CDSM_SCENE_ACCESS(scene);
+  uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
+  int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);
+  int y = (int)(tile / (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel >> 3);
+  if (x >= params.view.width || y >= params.view.height) return;
+
+  LightRay r;
+  MapData map = maps[params.mapIndex];
+  r.ray = rayThroughPixel(&params.view, x + 0.5f, y + 0.5f);
+  r.builder.writer = beginNodes(&map, x, y, CDSM_MEMORY_WRITE_ARGS);
+  r.builder.tolerance = params.tolerance;
+  r.builder.started = false;
+  r.transmittance = 1.0f;
+  r.least = max(params.tolerance, 1e-5f);
+
+  SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
+                               scene.objects);
+  while (walk.left > 0 && r.transmittance > 0.0f) {
+    float depth = nextDepth(&walk);
+    if (walk.mediumCount > 0 && depth > walk.depth)
+      marchSegment(&r, scene, &walk, depth, params.interiorStep CDSM_VOLUME_ARGS);
+    float opacity = scene.objects[scene.triangles[nextFacing(&walk) >> 1].w].diffuse.w;
+    if (opacity > 0.0f && r.transmittance > 0.0f) {
+      r.transmittance *= 1.0f - opacity;
+      if (r.transmittance < r.least) r.transmittance = 0.0f;
+      dropAt(&r.builder, depth, r.transmittance);
+    }
+    passFragment(&walk, scene);
+  }
+  finishVisibility(&r.builder);
+  endNodes(&r.builder.writer);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arguments of the kernels that march rays: building maps, shading the image, answering queries.
+#pragma once
+#include "shared/map_data.h"
+#include "shared/types.h"
+#include "shared/view_data.h"
+
+CDSM_SHARED_BEGIN
+
+typedef struct BuildParams {
+  ViewData view;
+  float tolerance;      ///< epsilon of the compression, in opacity
+  float interiorStep;   ///< ray step where only constant media are, world units
+  uint mapIndex;
+  uint padding;
+} BuildParams;
+CDSM_SIZE(BuildParams, 208);
+
+typedef struct ShadeParams {
+  ViewData view;
+  float4 ambient;       ///< i_a
+  float interiorStep;   ///< as in BuildParams
+  float bias;           ///< world units a surface point is moved towards the light
+  uint lightCount;
+  float lookupTolerance;  ///< lookups along a ray are interpolated where they differ by less
+} ShadeParams;
+CDSM_SIZE(ShadeParams, 224);
+
+typedef struct QueryParams {
+  uint pointCount;
+  uint light;
+} QueryParams;
+CDSM_SIZE(QueryParams, 8);
+
+/// What any technique may need to know; each uses its part.
+typedef struct TechniqueParams {
+  MemoryParams memory;
+  uint bilinear;     ///< deep-shadow-map: 1: four weighted lookups, 0: nearest
+  uint mediumCount;  ///< shadow-rays: of the scene
+  uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
+  uint padding;
+} TechniqueParams;
+CDSM_SIZE(TechniqueParams, 48);
+
+CDSM_SHARED_END

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights and their deep shadow maps as the lookup sees them, and what building one map needs.
+#pragma once
+#include "shared/types.h"
+#include "shared/view_data.h"
+
+CDSM_SHARED_BEGIN
+
+typedef struct LightData {
+  float4 position;   ///< world
+  float4 axis;       ///< unit, the way the light travels; w: cosine of the cutoff angle
+  float4 color;
+  uint firstMap;
+  uint mapCount;
+  uint padding0, padding1;
+} LightData;
+CDSM_SIZE(LightData, 64);
+
+/// One deep shadow map: where a point lands in it and where its texels' nodes are kept.
+typedef struct MapData {
+  float4 texelU, texelV, texelW, depth;  ///< as ViewData's rows
+  float4 dir, dirU, dirV;                ///< rays per texel, as ViewData's
+  int4 atlasOffset;                      ///< atlas: x, y, layer [Knecht 2011, eq. 4.7]
+  int width, height;                     ///< texels
+  uint firstTexel;                       ///< of this map in the lookup table
+  uint firstNode;                        ///< chunked: of this map in the pool of nodes
+} MapData;
+CDSM_SIZE(MapData, 144);
+
+/// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between.
+typedef float2 Node;
+
+/// Sizes of the memory strategy in use.
+typedef struct MemoryParams {
+  int4 atlasSize;      ///< atlas: texels along x and y, layers of one map (even)
+  uint chunkCapacity;  ///< chunked, while building: chunks there is room for
+  uint padding0, padding1, padding2;
+} MemoryParams;
+CDSM_SIZE(MemoryParams, 32);
+
+/// What building a map wanted; more than the capacity means: make room and build again.
+typedef struct BuildCounters {
+  uint chunks;    ///< chunked: chunks handed out
+  uint maxNodes;  ///< most nodes of a texel
+  uint padding0, padding1;
+} BuildCounters;
+CDSM_SIZE(BuildCounters, 16);
+
+/// Nodes of a chunk. A chunk belongs to one texel, so nobody races for it and none is lost.
+#define CDSM_CHUNK_NODES 8
+/// Chunked on image devices: pixels (of two nodes) in a row of the texture of nodes, as a power of two.
+#define CDSM_NODE_TEXTURE_BITS 12
+
+CDSM_SHARED_END

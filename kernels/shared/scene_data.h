@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene on the device: triangles in object space, objects with their matrices, media (volumes and interiors).
+#pragma once
+#include "shared/types.h"
+
+CDSM_SHARED_BEGIN
+
+/// Affine map as three rows: result = (dot(x.xyz, p) + x.w, ...).
+typedef struct Affine {
+  float4 x, y, z;
+} Affine;
+CDSM_SIZE(Affine, 48);
+
+/// A mesh, or the box of a volume. Crossing its triangles enters and leaves its media.
+typedef struct ObjectData {
+  Affine worldFromObject;
+  float4 diffuse;        ///< rgb, w: opacity of one crossing, 0..1; 0: no surface is seen
+  float4 specular;       ///< rgb, w: shininess
+  uint firstMedium;      ///< into the list of medium indices
+  uint mediumCount;
+  uint hasNormals;       ///< 0 | 1: the vertices of its triangles have normals
+  uint padding;
+} ObjectData;
+CDSM_SIZE(ObjectData, 96);
+
+/// A volume, or the constant interior of a closed mesh.
+typedef struct MediumData {
+  Affine indexFromWorld;  ///< of the volume: voxel centres are integers
+  float4 specular;        ///< rgb, w: shininess
+  float4 interior;        ///< constant medium: rgb, w: extinction in 1 / world length
+  int4 size;              ///< voxels along x, y, z; w: volume slot, -1: constant medium
+  int4 cells;             ///< macrocells along x, y, z; w: offset of its first macrocell
+  float lutScale;         ///< transfer function: lut coordinate = value * lutScale + lutBias
+  float lutBias;
+  uint lutOffset;         ///< of its first entry
+  uint lutLast;           ///< number of its last entry
+  float step;             ///< ray step in world units: half the smallest voxel edge, or as the scene says
+  uint shading;           ///< 0 | 1: Phong with the gradient as normal
+  uint clipToBox;         ///< 0 | 1: the boundary is a mesh, samples outside of the box have no extinction
+  uint padding;
+} MediumData;
+CDSM_SIZE(MediumData, 144);
+
+/// Edge of a macrocell in voxels. A cell's bounds cover its 8 + 1 voxels per axis: all that its samples interpolate.
+#define CDSM_MACROCELL 8
+
+/// Cells of one volume and the table of its transfer function, for classifying them.
+typedef struct CellParams {
+  int4 cells;  ///< along x, y, z; w: offset of the first one
+  float lutScale, lutBias;
+  uint lutLast;
+  uint padding;
+} CellParams;
+CDSM_SIZE(CellParams, 32);
+
+CDSM_SHARED_END

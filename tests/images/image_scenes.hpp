@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The small scenes of the image tests, 48 x 32 pixels each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cdsm/scene.hpp>
+
+namespace cdsm::images {
+
+struct ImageScene {
+  std::string name;
+  Scene scene;
+};
+
+/// Smoke over a floor; spheres under a translucent sheet; overlapping shaded volumes under two lights; a filled sphere
+/// beside a volume that a mesh cuts.
+std::vector<ImageScene> imageScenes();
+
+}  // namespace cdsm::images

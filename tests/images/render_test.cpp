@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rendered images against the reference, every scene by every technique; a failure leaves render, reference,
+// difference.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "image_compare.hpp"
+#include "image_scenes.hpp"
+#include "property/engine_paths.hpp"
+#include "reference/reference.hpp"
+
+namespace cdsm::images {
+namespace {
+
+struct Technique {
+  std::string label;
+  property::Path path;
+  float limit;  ///< of a channel, linear
+  double part;  ///< of the pixels that must be within; the others are silhouettes and edges of shadows
+};
+
+std::vector<Technique> techniques() {
+  return {{"None", {"none", "chunked", "bilinear", "buffer"}, 2.0f / 255.0f, 0.99},
+          {"ShadowRays", property::rayPath(), 2.0f / 255.0f, 0.99},
+          {"MapChunked", property::mapPath("chunked"), 6.0f / 255.0f, 0.97},
+          {"MapAtlas", property::mapPath("atlas"), 6.0f / 255.0f, 0.97}};
+}
+
+Image referenceImage(const Scene& scene) {
+  const reference::World world(scene);
+  Image image{scene.image.width, scene.image.height, {}};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) image.pixels.emplace_back(reference::pixel(world, x + 0.5, y + 0.5));
+  }
+  return image;
+}
+
+/// Rendered once per scene, with and without shadows.
+const Image& cachedReference(const ImageScene& scene, const Scene& settings) {
+  static std::map<std::string, Image> images;
+  const std::string key = scene.name + (settings.shadows.technique == "none" ? "/none" : "/shadows");
+  const auto found = images.find(key);
+  return found != images.end() ? found->second : images.emplace(key, referenceImage(settings)).first->second;
+}
+
+class Render : public ::testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {};
+
+TEST_P(Render, matchesTheReference) {
+  const ImageScene scene = imageScenes()[std::get<0>(GetParam())];
+  const Technique technique = techniques()[std::get<1>(GetParam())];
+  const Scene settings = property::along(technique.path, scene.scene, 512, 0.005f);
+  const Image render = property::engineOf(technique.path.fetch).render(settings);
+  const Image& expected = cachedReference(scene, settings);
+  const double part = partWithin(render, expected, technique.limit);
+  EXPECT_GE(part, technique.part) << "of the pixels within " << technique.limit;
+  if (part < technique.part) writeFailure(scene.name + technique.label, render, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Render,
+                         ::testing::Combine(::testing::Range<std::size_t>(0, imageScenes().size()),
+                                            ::testing::Range<std::size_t>(0, techniques().size())),
+                         [](const auto& instance) {
+                           return imageScenes()[std::get<0>(instance.param)].name +
+                                  techniques()[std::get<1>(instance.param)].label;
+                         });
+
+}  // namespace
+}  // namespace cdsm::images

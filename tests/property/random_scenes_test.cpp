@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random scenes against brute force in double precision, at points where a map can be right: two texels or more away
+// from every silhouette and surface.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "engine_paths.hpp"
+#include "light_frame.hpp"
+#include "reference/reference.hpp"
+#include "reference/test_scenes.hpp"
+
+namespace cdsm::property {
+namespace {
+
+using reference::World;
+
+constexpr int kMapSize = 768;
+constexpr float kTolerance = 0.005f;
+constexpr int kCandidates = 200;  ///< per light
+constexpr int kLeastKept = 30;    ///< per light
+constexpr double kSmooth = 0.005;
+
+/// kSmooth over the filter's footprint, as much for the engine's coarser step, the tolerance, and as much for rounding.
+constexpr double kAllowed = 0.02;
+
+struct Sample {
+  glm::vec3 point;
+  double exact;
+};
+
+/// The same transmittance, within kSmooth, two texels to all sides and two texels' width nearer and farther, and with
+/// the engine's step.
+bool isSmooth(const World& world, const Light& light, const LightFrame& frame, const glm::dvec3& point, double exact) {
+  const glm::dvec3 at = frame.coordinates(point);
+  const double reach = 2.0 * frame.texel();
+  const auto same = [&](const glm::dvec3& p, double step) {
+    return reference::lit(light, p) && std::abs(transmittance(world, light, p, step) - exact) <= kSmooth;
+  };
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      if (!same(frame.point(at.x + dx * reach, at.y + dy * reach, at.z), reference::kFineStep)) return false;
+    }
+  }
+  return same(frame.point(at.x, at.y, at.z * (1.0 - reach)), reference::kFineStep) &&
+         same(frame.point(at.x, at.y, at.z * (1.0 + reach)), reference::kFineStep) &&
+         same(point, reference::kEngineStep);
+}
+
+std::vector<Sample> samplesOf(const World& world, const Light& light, std::uint32_t seed) {
+  reference::Random random(seed + 1000u);
+  const LightFrame frame(light, kMapSize);
+  std::vector<Sample> samples;
+  for (int i = 0; i < kCandidates; ++i) {
+    const glm::vec3 point = static_cast<float>(random.uniform(0.0, 1.8)) * random.direction();
+    if (!reference::lit(light, glm::dvec3(point))) continue;
+    const double exact = reference::transmittance(world, light, glm::dvec3(point));
+    if (isSmooth(world, light, frame, glm::dvec3(point), exact)) samples.push_back({point, exact});
+  }
+  return samples;
+}
+
+void expectExact(const Path& path, const Scene& scene, const Light& light, const std::vector<Sample>& samples) {
+  std::vector<glm::vec3> points;
+  for (const Sample& sample : samples) points.push_back(sample.point);
+  const std::vector<Transmittance> result = query(path, along(path, scene, kMapSize, kTolerance), points, light.name);
+  ASSERT_EQ(result.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const glm::vec3& p = samples[i].point;
+    EXPECT_EQ(result[i].lit, 1) << path.name();
+    EXPECT_NEAR(result[i].transmittance, samples[i].exact, kAllowed)
+        << path.name() << ", light " << light.name << ", point " << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+class RandomScenes : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RandomScenes, agreeWithBruteForce) {
+  const std::uint32_t seed = GetParam();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const World world(reference::randomScene(seed));
+  for (const Light& light : world.scene.lights) {
+    const std::vector<Sample> samples = samplesOf(world, light, seed);
+    std::cout << "seed " << seed << ", light " << light.name << ": " << samples.size() << " of " << kCandidates
+              << " points kept\n";
+    EXPECT_GE(samples.size(), static_cast<std::size_t>(kLeastKept));
+    expectExact(rayPath(), world.scene, light, samples);
+    expectExact(mapPath("chunked", "bilinear"), world.scene, light, samples);
+    expectExact(mapPath("atlas", "nearest"), world.scene, light, samples);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, ::testing::Range<std::uint32_t>(1, 7));
+
+}  // namespace
+}  // namespace cdsm::property

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The slow truth: transmittance, visibility functions and pixels in double precision, every ray against everything.
+// Shares no code with the engine. Where a World is asked for, a Scene may be given.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <cdsm/scene.hpp>
+#include <glm/glm.hpp>
+
+#include "segments.hpp"
+
+namespace cdsm::reference {
+
+/// Steps as the engine takes them: shadows.step, or half the smallest voxel edge among the segment's volumes.
+constexpr double kEngineStep = -1.0;
+/// Steps of a quarter of the smallest voxel edge among the segment's volumes.
+constexpr double kFineStep = 0.0;
+
+/// True inside the cone of the light, its surface included.
+bool lit(const Light& light, const glm::dvec3& point);
+
+/// The part of the light that reaches the point, whatever the cone: surfaces strictly between times exp(-integral of
+/// the extinction), by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
+double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
+
+/// (depth in world units along the light's axis, transmittance up to there), ascending in depth, first (0, 1): one
+/// entry per step of the midpoint rule, two of the same depth at a surface.
+using Visibility = std::vector<std::pair<double, double>>;
+
+/// The uncompressed visibility function of a ray from the light; `direction` of any length.
+Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step = kEngineStep);
+
+/// The ray of the camera through a position on the image: pixels, y down, the centre of the first pixel at 0.5, 0.5.
+Ray cameraRay(const Scene& scene, double px, double py);
+
+/// Linear colour over the background and opacity of one camera ray; with technique "none" nothing casts a shadow.
+/// Segments with volumes are sampled at the engine's step, interior media alone with 64 samples per segment.
+glm::dvec4 pixel(const World& world, double px, double py);
+
+}  // namespace cdsm::reference

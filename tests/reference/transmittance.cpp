@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Brute-force transmittance: every ray against every triangle and every volume [INTERFACE 4.1 to 4.4].
+#include <cmath>
+
+#include "reference.hpp"
+
+namespace cdsm::reference {
+namespace {
+
+glm::dvec3 axisOf(const Light& light) { return glm::normalize(glm::dvec3(light.target) - glm::dvec3(light.position)); }
+
+double stepOf(const World& world, const Segment& segment, double step) {
+  if (step > 0.0) return step;
+  if (step == kFineStep) return 0.25 * smallestEdge(world, segment);
+  const auto given = static_cast<double>(world.scene.shadows.step);
+  return given > 0.0 ? given : 0.5 * smallestEdge(world, segment);
+}
+
+double surfacesAfter(const World& world, const Segment& segment) {
+  double product = 1.0;
+  for (const Crossing& crossing : segment.after) {
+    const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
+    product *= 1.0 - static_cast<double>(world.scene.materials[static_cast<std::size_t>(mesh.material)].opacity);
+  }
+  return product;
+}
+
+/// Calls visit(t, T) at the end of every step and at every surface, in order.
+template <typename Visit>
+void march(const World& world, const Ray& ray, double length, double step, Visit visit) {
+  double remaining = 1.0;
+  for (const Segment& segment : segmentsOf(world, ray, length)) {
+    const int steps = stepsIn(segment, stepOf(world, segment, step));
+    const double h = (segment.end - segment.begin) / steps;
+    for (int i = 0; i < steps; ++i) {
+      remaining *= std::exp(-extinction(world, segment, ray.at(segment.begin + (i + 0.5) * h)) * h);
+      visit(segment.begin + (i + 1.0) * h, remaining);
+    }
+    if (segment.after.empty()) continue;
+    remaining *= surfacesAfter(world, segment);
+    visit(segment.end, remaining);
+  }
+}
+
+}  // namespace
+
+bool lit(const Light& light, const glm::dvec3& point) {
+  const glm::dvec3 offset = point - glm::dvec3(light.position);
+  const double cosine = glm::dot(offset, axisOf(light));
+  return cosine >= std::cos(glm::radians(static_cast<double>(light.cutoff))) * glm::length(offset);
+}
+
+double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
+  const glm::dvec3 position(light.position);
+  const double distance = glm::length(point - position);
+  if (distance == 0.0) return 1.0;
+  double result = 1.0;
+  march(world, rayTowards(position, point), distance, step, [&](double, double remaining) { result = remaining; });
+  return result;
+}
+
+Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step) {
+  const Ray ray{glm::dvec3(light.position), glm::normalize(direction)};
+  const double depthPerT = glm::dot(ray.direction, axisOf(light));
+  Visibility result{{0.0, 1.0}};
+  march(world, ray, behindAll(world, ray), step,
+        [&](double t, double remaining) { result.emplace_back(t * depthPerT, remaining); });
+  return result;
+}
+
+}  // namespace cdsm::reference

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The robustness cases as one table: a name, what is changed of a good scene, what the error must say."""
+import dataclasses
+
+import inputs
+
+GOOD_SCENE = b"""
+[camera]
+position = [0.5, 1.0, 6.0]
+[image]
+width = 8
+height = 8
+[shadows]
+map_size = 16
+[[light]]
+name = "key"
+position = [4.0, 4.0, 4.0]
+[[material]]
+name = "glass"
+opacity = 0.3
+[[mesh]]
+name = "cup"
+file = "closed.obj"
+material = "glass"
+[[volume]]
+name = "smoke"
+file = "grid.nrrd"
+opacity = [[0.0, 0.0], [63.0, 0.5]]
+color = [[0.0, 1.0, 1.0, 1.0]]
+"""
+
+GOOD_FILES = {
+    "scene.toml": GOOD_SCENE,
+    "closed.obj": inputs.CLOSED_OBJ,
+    "open.obj": inputs.OPEN_OBJ,
+    "grid.nrrd": inputs.GRID_NRRD,
+    "points.csv": inputs.POINTS_CSV,
+}
+
+OUTPUTS = ["out.png", "out.csv", "stats.json"]
+RENDER = ["render", "scene.toml", "-o", "out.png", "--stats", "stats.json", "--quiet"]
+QUERY = ["transmittance", "scene.toml", "--light", "key", "--points", "points.csv", "-o", "out.csv", "--quiet"]
+
+
+@dataclasses.dataclass
+class Case:
+    """`files` are written over the good ones (None: left out); `status` 0 is a run that must work."""
+
+    name: str
+    text: str
+    arguments: list
+    files: dict = dataclasses.field(default_factory=dict)
+    status: int = 1
+    outputs: tuple = ()
+
+    def prepare(self, folder):
+        for name, content in {**GOOD_FILES, **self.files}.items():
+            if content is not None:
+                (folder / name).write_bytes(content)
+
+
+def scene(name, text, old, new):
+    """A scene with one of its lines changed."""
+    assert old in GOOD_SCENE, old
+    return Case(name, text, RENDER, {"scene.toml": GOOD_SCENE.replace(old, new)})
+
+
+def volume(name, content, text="", file="grid.nrrd"):
+    """A volume file that cannot be right."""
+    files = {"scene.toml": GOOD_SCENE.replace(b"grid.nrrd", file.encode()), file: content}
+    return Case(name, text or file, RENDER, files)
+
+
+def mesh(name, content, file="closed.obj", text=""):
+    """A mesh file that cannot be right."""
+    files = {"scene.toml": GOOD_SCENE.replace(b"closed.obj", file.encode()), file: content}
+    return Case(name, text or file, RENDER, files)
+
+
+def points(name, content, text):
+    return Case(name, text, QUERY, {"points.csv": content})
+
+
+def settings(name, text, *values):
+    """A scene changed on the command line."""
+    return Case(name, text, RENDER + [word for value in values for word in ("--set", value)])
+
+
+def replaced(arguments, old, new):
+    return [new if word == old else word for word in arguments]
+
+
+def usage(name, text, arguments):
+    return Case(name, text, arguments, status=2)
+
+
+def works(name, arguments, outputs):
+    return Case(name, "", arguments, status=0, outputs=outputs)
+
+
+GOOD_RUNS = [
+    works("a good scene renders", RENDER, ("out.png", "stats.json")),
+    works("a good query is answered", QUERY, ("out.csv",)),
+    works("a light inside a volume", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
+    works("a closed mesh as boundary", RENDER + ["--set", "volume.smoke.boundary=cup"], ("out.png",)),
+    works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
+]
+
+SCENES = [
+    Case("missing scene", "none.toml: ", ["render", "none.toml", "-o", "out.png"]),
+    Case("a folder as scene", "", ["render", ".", "-o", "out.png"]),
+    Case("empty scene", "scene.toml: ", RENDER, {"scene.toml": b""}),
+    Case("binary scene", "scene.toml:1:", RENDER, {"scene.toml": bytes(range(256))}),
+    scene("deeply nested TOML", "scene.toml:5:", b"width = 8", b"width = " + b"[" * 100000),
+    scene("broken TOML", "scene.toml:4:", b"[image]", b"[image"),
+    scene("key given twice", "scene.toml:6:", b"height = 8", b"width = 9"),
+    scene("unknown key", "scene.toml:6:1: unknown key 'depth' in [image]", b"height = 8", b"depth = 8"),
+    scene("misspelt key", "unknown key 'heigth' in [image], did you mean 'height'?", b"height = 8", b"heigth = 8"),
+    scene("wrong type", "scene.toml:5:9: width is a string", b"width = 8", b"width = '8'"),
+    scene("wrong length", "scene.toml:3:12: position is an array of 2", b"[0.5, 1.0, 6.0]", b"[0.5, 1.0]"),
+    scene("NaN", "scene.toml:3:13: position is nan", b"[0.5,", b"[nan,"),
+    scene("infinity", "scene.toml:3:13: position is -inf", b"[0.5,", b"[-inf,"),
+    scene("number out of range", "scene.toml:5:9: width is 0, must be in [1, 16384]", b"width = 8", b"width = 0"),
+    scene(
+        "image far too large",
+        "scene.toml:5:9: width is 9.223372e+18", b"width = 8", b"width = 9223372036854775807",
+    ),
+    scene("map far too large", "must be in [8, 16384]", b"map_size = 16", b"map_size = 1000000"),
+    scene("degenerate camera", "scene.toml:2:1: camera: position and target", b"[0.5, 1.0, 6.0]", b"[0, 0, 0]"),
+    scene("camera up along the view", "camera up is parallel", b"[0.5, 1.0, 6.0]", b"[0, 9, 0]"),
+    scene("degenerate light", "light 'key': position and target", b"[4.0, 4.0, 4.0]", b"[0, 0, 0]"),
+    scene("light without a name", "[[light]] has no 'name'", b'name = "key"', b""),
+    scene("line break in a name", "unknown key", b'name = "key"', b'name = "k\\ney"\n"col\\nour" = 1'),
+    scene("name used twice", "material 'glass' is already", b"[[mesh]]", b"[[material]]\nname = 'glass'\n[[mesh]]"),
+    scene(
+        "unknown material",
+        "unknown material 'glas', did you mean 'glass'?", b'material = "glass"', b'material = "glas"',
+    ),
+    scene("unsorted transfer function", "must be ascending", b"[[0.0, 0.0], [63.0, 0.5]]", b"[[1, 0], [0, 0.5]]"),
+    scene("empty transfer function", "at least one point", b"[[0.0, 0.0], [63.0, 0.5]]", b"[]"),
+    scene(
+        "open mesh with an interior",
+        "mesh 'cup' has 3 open edges", b"closed.obj\"", b"open.obj\"\ninterior_extinction = 1",
+    ),
+    scene("transform without inverse", "cannot be inverted", b"closed.obj\"", b"closed.obj\"\nscale = 1e-30"),
+    settings("open mesh as boundary", "open edges", "mesh.cup.file=open.obj", "volume.smoke.boundary=cup"),
+    settings("override of an unknown key", "--set image.widht=3: unknown key", "image.widht=3"),
+    settings("override of an unknown light", "must be one of: key", "light.fill.cutoff=3"),
+    settings("override out of range", "--set light.key.cutoff=95: cutoff is 95", "light.key.cutoff=95"),
+]
+
+VOLUMES = [
+    volume("missing volume", None),
+    volume("empty volume file", b""),
+    volume("truncated volume", inputs.GRID_NRRD[:-1]),
+    volume("volume without its header's end", inputs.GRID_NRRD[:30]),
+    volume("volume with no voxels", inputs.EMPTY_NRRD),
+    volume("volume that claims to be huge", inputs.HUGE_NRRD),
+    volume("volume with a NaN", inputs.NAN_NRRD),
+    volume("volume without space", inputs.FLAT_NRRD),
+    volume("volume of noise", bytes(range(256)) * 4),
+    volume("unknown volume format", b"x", file="grid.xyz"),
+    volume("noise as MetaImage", bytes(range(256)), file="grid.mha"),
+    volume("noise as NIfTI", bytes(range(256)) * 4, file="grid.nii"),
+]
+
+MESHES = [
+    mesh("missing mesh", None),
+    mesh("empty mesh file", b""),
+    mesh("mesh of noise", bytes(range(256)) * 4),
+    mesh("mesh without triangles", b"v 0 0 0\n"),
+    mesh("mesh index out of range", inputs.INDEX_OBJ),
+    mesh("mesh with a NaN", inputs.NAN_OBJ),
+    mesh("truncated STL", inputs.stl(2)[:-10], "cup.stl"),
+    mesh("STL that claims too many triangles", inputs.stl(1, 0xFFFFFFFF), "cup.stl"),
+    mesh("PLY that claims too many vertices", inputs.ply(100), "cup.ply"),
+    mesh("truncated glTF", b'{"asset": {"version": "2.0"', "cup.gltf"),
+    mesh("noise as glb", b"glTF" + bytes(60), "cup.glb"),
+    mesh("unknown mesh format", b"x", "cup.xyz"),
+]
+
+QUERIES = [
+    Case("unknown light", "fill", replaced(QUERY, "key", "fill")),
+    Case("missing points", "points.csv", QUERY, {"points.csv": None}),
+    points("points without a header", b"1,2,3\n", "points.csv:1:"),
+    points("points with a word", b"x,y,z\n1,2,3\n1,two,3\n", "points.csv:3:3"),
+    points("points with two values", b"x,y,z\n1,2\n", "points.csv:2:"),
+    points("points with a NaN", b"x,y,z\n1,2,nan\n", "points.csv:2:5"),
+]
+
+RUNS = [
+    Case("output in no folder", "none/out.png", ["render", "scene.toml", "-o", "none/out.png"]),
+    Case("a folder as output", ".", ["render", "scene.toml", "-o", "."]),
+    Case("unknown image format", "out.jpg", ["render", "scene.toml", "-o", "out.jpg"]),
+    Case("statistics in no folder", "none/s.json", ["render", "scene.toml", "-o", "out.png", "--stats", "none/s.json"]),
+    Case("answers in no folder", "none/out.csv", replaced(QUERY, "out.csv", "none/out.csv")),
+    Case("unknown device", "no such device", RENDER + ["--device", "no such device"]),
+    Case("device number out of range", "99:0", RENDER + ["--device", "99:0"]),
+]
+
+USAGE = [
+    usage("no command", "error: ", []),
+    usage("unknown command", "unknown command 'rendr'", ["rendr", "scene.toml"]),
+    usage("no scene", "SCENE is required", ["render"]),
+    usage("unknown option", "--colour", RENDER + ["--colour", "red"]),
+    usage("unknown fetch path", "--fetch", RENDER + ["--fetch", "magic"]),
+    usage("override without a value", "must be KEY=VALUE", RENDER + ["--set", "image.width"]),
+    usage("query without points", "--points is required", ["transmittance", "scene.toml", "--light", "key"]),
+    usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
+    usage(
+        "unsupported command with options",
+        "'export-map' is not supported yet", ["export-map", "scene.toml", "-o", "out.exr"],
+    ),
+    usage("unsupported animation", "'--frames' is not supported yet", RENDER + ["--frames", "0:59"]),
+]
+
+LATER = [
+    settings(f"unsupported {value}", "not supported yet", value)
+    for value in (
+        "shadows.technique=shadow-map",
+        "shadows.technique=stochastic",
+        "shadows.memory=tiled",
+        "shadows.transmittance=rgb",
+        "shadows.cache=volume",
+        "shadows.clusters=4",
+        "light.key.type=omni",
+        "light.key.type=directional",
+        "material.glass.transmission=[0.0, 1.0, 0.0]",
+        "volume.smoke.transmission=color",
+    )
+] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
+
+CASES = GOOD_RUNS + SCENES + VOLUMES + MESHES + QUERIES + RUNS + USAGE + LATER

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// validate(): a small scene that is right, and one change at a time that makes it wrong.
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <cdsm/error.hpp>
+#include <cdsm/scene.hpp>
+
+namespace cdsm {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+MeshData tetrahedron() {
+  MeshData mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return mesh;
+}
+
+MeshData openMesh() {
+  MeshData mesh = tetrahedron();
+  mesh.triangles.pop_back();
+  return mesh;
+}
+
+VolumeData smallGrid() {
+  VolumeData grid;
+  grid.type = VoxelType::Float32;
+  grid.size = {2, 3, 4};
+  grid.voxels.resize(2 * 3 * 4 * 4);
+  return grid;
+}
+
+template <typename Data>
+std::shared_ptr<const Data> share(Data data) {
+  return std::make_shared<const Data>(std::move(data));
+}
+
+Scene goodScene() {
+  Scene scene;
+  scene.lights = {{"key"}};
+  scene.materials = {{"glass"}};
+  scene.meshes = {{"cup", share(tetrahedron())}};
+  Volume smoke;
+  smoke.name = "smoke";
+  smoke.data = share(smallGrid());
+  smoke.transfer.opacity = {{0.0f, 0.0f}, {1.0f, 0.5f}};
+  smoke.transfer.color = {{0.0f, {1, 1, 1}}};
+  scene.volumes = {smoke};
+  return scene;
+}
+
+/// The message for the good scene after `change`, or "" when it is still good.
+std::string complaint(const std::function<void(Scene&)>& change) {
+  Scene scene = goodScene();
+  change(scene);
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Case {
+  std::string part;  ///< of the message
+  std::function<void(Scene&)> change;
+};
+
+void expectComplaints(const std::vector<Case>& cases) {
+  for (const Case& wrong : cases) {
+    const std::string message = complaint(wrong.change);
+    EXPECT_NE(message.find(wrong.part), std::string::npos) << "'" << message << "' lacks '" << wrong.part << "'";
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Validate, AGoodSceneAndAnEmptyOneAreGood) {
+  EXPECT_EQ(complaint([](Scene&) {}), "");
+  EXPECT_EQ(complaint([](Scene& s) { s = Scene(); }), "");
+}
+
+TEST(Validate, ALightInsideAVolumeIsGood) {
+  EXPECT_EQ(complaint([](Scene& s) { s.lights[0].position = {0.5f, 1.0f, 1.5f}; }), "");
+}
+
+TEST(Validate, CameraAndImage) {
+  expectComplaints({
+      {"camera: position and target are the same", [](Scene& s) { s.camera.position = s.camera.target; }},
+      {"parallel to the view",
+       [](Scene& s) {
+         s.camera.up = {0, 0, -2};
+       }},
+      {"camera up has no length",
+       [](Scene& s) {
+         s.camera.up = {0, 0, 0};
+       }},
+      {"camera fov is 0, must be in (0, 180) degrees", [](Scene& s) { s.camera.fov = 0.0f; }},
+      {"camera fov is 180", [](Scene& s) { s.camera.fov = 180.0f; }},
+      {"camera fov is nan", [](Scene& s) { s.camera.fov = kNan; }},
+      {"camera position is inf", [](Scene& s) { s.camera.position.y = kInfinity; }},
+      {"camera target is 1e+10", [](Scene& s) { s.camera.target.x = 1e10f; }},
+      {"image width is 0, must be in [1, 16384]", [](Scene& s) { s.image.width = 0; }},
+      {"image height is 16385", [](Scene& s) { s.image.height = 16385; }},
+      {"supersampling is 9, must be in [1, 8]", [](Scene& s) { s.image.supersampling = 9; }},
+      {"ambient is -1", [](Scene& s) { s.image.ambient.g = -1.0f; }},
+      {"background is nan", [](Scene& s) { s.image.background.b = kNan; }},
+  });
+}
+
+TEST(Validate, ShadowsAndLights) {
+  expectComplaints({
+      {"map_size is 7, must be in [8, 16384]", [](Scene& s) { s.shadows.mapSize = 7; }},
+      {"tolerance is 1, must be in [0, 1)", [](Scene& s) { s.shadows.tolerance = 1.0f; }},
+      {"step is -1, must be at least 0", [](Scene& s) { s.shadows.step = -1.0f; }},
+      {"bias is nan", [](Scene& s) { s.shadows.bias = kNan; }},
+      {"filter is 'cubic', must be bilinear or nearest", [](Scene& s) { s.shadows.filter = "cubic"; }},
+      {"light 'key': position and target", [](Scene& s) { s.lights[0].position = s.lights[0].target; }},
+      {"light 'key': cutoff is 90, must be in (0, 90)", [](Scene& s) { s.lights[0].cutoff = 90.0f; }},
+      {"light 'key': color is nan", [](Scene& s) { s.lights[0].color.r = kNan; }},
+  });
+}
+
+TEST(Validate, MaterialsAndMeshes) {
+  expectComplaints({
+      {"material 'glass': opacity is 1.5, must be in [0, 1]", [](Scene& s) { s.materials[0].opacity = 1.5f; }},
+      {"material 'glass': shininess is -1", [](Scene& s) { s.materials[0].shininess = -1.0f; }},
+      {"mesh 'cup': material index is 1", [](Scene& s) { s.meshes[0].material = 1; }},
+      {"mesh 'cup': material index is -1", [](Scene& s) { s.meshes[0].material = -1; }},
+      {"mesh 'cup' has no data", [](Scene& s) { s.meshes[0].data.reset(); }},
+      {"cannot be inverted", [](Scene& s) { s.meshes[0].worldFromObject[1] = glm::vec4(0.0f); }},
+      {"cannot be inverted", [](Scene& s) { s.meshes[0].worldFromObject[0][3] = 0.1f; }},
+      {"cannot be inverted", [](Scene& s) { s.meshes[0].worldFromObject[2][2] = kNan; }},
+      {"mesh 'cup' has 3 open edges, must be closed to have an interior_extinction",
+       [](Scene& s) {
+         s.meshes[0].data = share(openMesh());
+         s.meshes[0].interiorExtinction = 1.0f;
+       }},
+  });
+  EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].interiorExtinction = 1.0f; }), "");
+  EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].data = share(openMesh()); }), "") << "without an interior";
+}
+
+TEST(Validate, MeshData) {
+  const auto changed = [](const std::function<void(MeshData&)>& change) {
+    return [change](Scene& s) {
+      MeshData mesh = tetrahedron();
+      change(mesh);
+      s.meshes[0].data = share(mesh);
+    };
+  };
+  expectComplaints({
+      {"triangle 2 has the index 4, must be below the number of positions, 4",
+       changed([](MeshData& m) { m.triangles[2].y = 4; })},
+      {"has 1 normals for 4 positions", changed([](MeshData& m) { m.normals.resize(1); })},
+      {"position 3 is not finite", changed([](MeshData& m) { m.positions[3].z = kNan; })},
+      {"has no triangles", changed([](MeshData& m) { m.triangles.clear(); })},
+  });
+}
+
+TEST(Validate, Volumes) {
+  const auto changed = [](const std::function<void(VolumeData&)>& change) {
+    return [change](Scene& s) {
+      VolumeData grid = smallGrid();
+      change(grid);
+      s.volumes[0].data = share(grid);
+    };
+  };
+  expectComplaints({
+      {"has 96 bytes for 2 x 3 x 5 voxels, must be 120", changed([](VolumeData& v) { v.size.z = 5; })},
+      {"has 0 x 3 x 4 voxels", changed([](VolumeData& v) { v.size.x = 0; })},
+      {"must be at least one along each axis and fit memory", changed([](VolumeData& v) { v.size = glm::uvec3(~0u); })},
+      {"axes span no space", changed([](VolumeData& v) { v.objectFromIndex[0] = v.objectFromIndex[1]; })},
+      {"voxel 1 is not finite",
+       changed([](VolumeData& v) { v.voxels[6] = v.voxels[7] = std::byte{0xff}; })},  // bytes 4 to 7: a NaN
+      {"volume 'smoke' has no data", [](Scene& s) { s.volumes[0].data.reset(); }},
+      {"boundary index is 1", [](Scene& s) { s.volumes[0].boundary = 1; }},
+      {"must be closed to be the boundary of volume 'smoke'",
+       [](Scene& s) {
+         s.meshes[0].data = share(openMesh());
+         s.volumes[0].boundary = 0;
+       }},
+  });
+}
+
+TEST(Validate, TransferFunctions) {
+  expectComplaints({
+      {"opacity has no points", [](Scene& s) { s.volumes[0].transfer.opacity.clear(); }},
+      {"opacity is 2, must be in [0, 1]", [](Scene& s) { s.volumes[0].transfer.opacity[1].opacity = 2.0f; }},
+      {"value 0 follows 1, must be ascending",
+       [](Scene& s) {
+         s.volumes[0].transfer.opacity = {{1.0f, 0.0f}, {0.0f, 0.0f}};
+       }},
+      {"color is nan", [](Scene& s) { s.volumes[0].transfer.color[0].color.r = kNan; }},
+      {"unit_distance is 0, must be above 0", [](Scene& s) { s.volumes[0].transfer.unitDistance = 0.0f; }},
+  });
+  EXPECT_EQ(complaint([](Scene& s) { s.volumes[0].transfer.opacity = {{1.0f, 0.0f}, {1.0f, 0.5f}}; }), "");
+}
+
+TEST(Error, IsOneLineWithItsPlace) {
+  EXPECT_STREQ(Error({"a.toml", 3, 7}, "wrong\nname").what(), "a.toml:3:7: wrong name");
+  EXPECT_STREQ(Error({"a.toml", 0, 0}, "wrong").what(), "a.toml: wrong");
+  EXPECT_EQ(Error({"a.toml", 3, 7}, "wrong").message(), "wrong");
+  EXPECT_FALSE(Error("wrong").where().has_value());
+}
+
+TEST(VoxelType, HasItsBytes) {
+  EXPECT_EQ(voxelBytes(VoxelType::Int8), 1u);
+  EXPECT_EQ(voxelBytes(VoxelType::UInt16), 2u);
+  EXPECT_EQ(voxelBytes(VoxelType::Float32), 4u);
+}
+
+}  // namespace
+}  // namespace cdsm
