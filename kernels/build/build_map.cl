@@ -12,14 +12,21 @@ typedef struct LightRay {
   Ray ray;
   VisibilityBuilder builder;
   float transmittance;
-  float least;  // below it nothing visible can change any more
+  float least;        // below it nothing visible can change any more
+  float partsPerTau;  // of a step, see absorb()
 } LightRay;
 
-/// One step with optical depth tau > 0 between two depths.
+/// One step with optical depth tau > 0 between two depths. Where it is so dense that a straight line would miss the
+/// exponential by more than the tolerance (tau^2 / 8), it is handed on in parts.
 void absorb(LightRay* r, float from, float to, float tau) {
-  r->transmittance *= transmittanceOf(tau);
-  if (r->transmittance < r->least) r->transmittance = 0.0f;
-  fallTo(&r->builder, from, to, r->transmittance);
+  int parts = (int)clamp(ceil(tau * r->partsPerTau), 1.0f, 16.0f);
+  float factor = transmittanceOf(tau / (float)parts), spacing = (to - from) / (float)parts;
+  for (int i = 1; i <= parts && r->transmittance > 0.0f; ++i) {
+    r->transmittance *= factor;
+    if (r->transmittance < r->least) r->transmittance = 0.0f;
+    fallTo(&r->builder, from + (float)(i - 1) * spacing, i == parts ? to : from + (float)i * spacing,
+           r->transmittance);
+  }
 }
 
 /// One volume alone: whole runs of samples in empty macrocells are skipped.
@@ -88,9 +95,10 @@ __kernel void buildVisibility(BuildParams params, __global ulong* fragments, __g
   r.builder.started = false;
   r.transmittance = 1.0f;
   r.least = max(params.tolerance, 1e-5f);
+  r.partsPerTau = rsqrt(8.0f * max(params.tolerance, 1e-4f));
 
   SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
-                               scene.objects);
+                               scene);
   while (walk.left > 0 && r.transmittance > 0.0f) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)

@@ -20,7 +20,7 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
   r.transparency = 1.0f;
   r.samples = 0;
   SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
-                               scene.objects);
+                               scene);
   while (walk.left > 0 && r.transparency > CDSM_OPAQUE) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)

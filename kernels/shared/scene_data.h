@@ -19,7 +19,7 @@ typedef struct ObjectData {
   uint firstMedium;      ///< into the list of medium indices
   uint mediumCount;
   uint hasNormals;       ///< 0 | 1: the vertices of its triangles have normals
-  uint padding;
+  uint encloses;         ///< 0 | 1: rays keep track of whether they are inside
 } ObjectData;
 CDSM_SIZE(ObjectData, 96);
 
@@ -36,7 +36,7 @@ typedef struct MediumData {
   uint lutLast;           ///< number of its last entry
   float step;             ///< ray step in world units: half the smallest voxel edge, or as the scene says
   uint shading;           ///< 0 | 1: Phong with the gradient as normal
-  uint clipToBox;         ///< 0 | 1: the boundary is a mesh, samples outside of the box have no extinction
+  uint boxObject;         ///< volume cut by a mesh: object of its box, inside of which a ray must be too; else ~0
   uint padding;
 } MediumData;
 CDSM_SIZE(MediumData, 144);

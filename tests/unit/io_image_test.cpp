@@ -72,7 +72,15 @@ TEST(ImageFile, AFailingWriteLeavesTheEarlierFile) {
   const std::string path = folder.write("a.exr", "old");
   expectError([&] { io::writeImage(path, Image{2, 2, {glm::vec4(0.0f)}}); }, "2 x 2 with 1 pixels");
   expectError([&] { io::writeImage(path, Image{}); }, "cannot be written");
-  // OpenImageIO refuses more columns than a PNG may have, after the temporary file is there.
+  EXPECT_EQ(readBytes(path), "old");
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(ImageFile, AWriterThatFailsHalfwayLeavesTheEarlierFile) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.png", "old");
+  // libpng refuses more than a million columns, when the temporary file is there already.
+  expectError([&] { io::writeImage(path, row(std::vector<glm::vec4>(1000001))); }, "cannot be written");
   EXPECT_EQ(readBytes(path), "old");
   EXPECT_EQ(folder.files(), 1u);
 }

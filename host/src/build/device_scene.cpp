@@ -60,6 +60,11 @@ glm::mat4 worldFromUnitCube(const Volume& volume) {
   return scene::worldFromIndex(volume) * indexFromUnit;
 }
 
+/// Boxes of the volumes follow the meshes.
+unsigned boxObject(const Scene& scene, const Volume& volume) {
+  return unsigned(scene.meshes.size() + std::size_t(&volume - scene.volumes.data()));
+}
+
 float interiorStepOf(const Scene& scene, float diagonal) {
   if (scene.shadows.step > 0.0f) return scene.shadows.step;
   float most = 0.0f;
@@ -112,7 +117,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   medium.lutLast = shared::uint(table.entries.size() - 1);
   medium.step = scene.shadows.step > 0.0f ? scene.shadows.step : 0.5f * voxelEdge(worldFromIndex);
   medium.shading = volume.shading;
-  medium.clipToBox = volume.boundary >= 0;
+  medium.boxObject = volume.boundary < 0 ? ~0u : boxObject(scene, volume);
   for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
@@ -133,12 +138,14 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
     shared::MediumData medium{};
     medium.interior = {mesh.interiorColor, mesh.interiorExtinction};
     medium.size.w = -1;
+    medium.boxObject = ~0u;
     mediumLists_.push_back(shared::uint(hostMedia_.size()));
     hostMedia_.push_back(medium);
   }
   for (const Volume& volume : scene.volumes)
     if (volume.boundary == int(index)) addVolumeMedium(scene, volume);
   object.mediumCount = shared::uint(mediumLists_.size()) - object.firstMedium;
+  object.encloses = object.mediumCount > 0;
   // entering and leaving are told by the turn of the triangles, so what encloses media must turn outwards
   const bool inward = object.mediumCount > 0 &&
                       (signedVolume(*mesh.data) < 0.0) != (glm::determinant(glm::mat3(mesh.worldFromObject)) < 0.0f);
@@ -153,8 +160,11 @@ void DeviceScene::addBox(const Scene& scene, std::size_t index) {
   shared::ObjectData object{};
   object.worldFromObject = affineOf(matrix);
   object.firstMedium = shared::uint(mediumLists_.size());
-  object.mediumCount = 1;
-  addVolumeMedium(scene, volume);
+  object.encloses = 1;
+  if (volume.boundary < 0) {
+    object.mediumCount = 1;
+    addVolumeMedium(scene, volume);
+  }
   addTriangles(unitCube(), unsigned(hostObjects_.size()), glm::determinant(glm::mat3(matrix)) < 0.0f);
   hostObjects_.push_back(object);
   objectMesh_.push_back(-1 - int(index));
@@ -167,8 +177,7 @@ void DeviceScene::update(const Scene& scene) {
   bounds_ = scene::worldBounds(scene);
   interiorStep_ = interiorStepOf(scene, std::max(bounds_.diagonal(), 1e-20f));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) addMesh(scene, i);
-  for (std::size_t i = 0; i < scene.volumes.size(); ++i)
-    if (scene.volumes[i].boundary < 0) addBox(scene, i);
+  for (std::size_t i = 0; i < scene.volumes.size(); ++i) addBox(scene, i);
   upload();
   for (const shared::MediumData& medium : hostMedia_) classify(medium);
 }
@@ -225,7 +234,7 @@ device::ArgumentList DeviceScene::arguments(const device::Buffer<std::uint32_t>&
 std::vector<std::uint32_t> DeviceScene::objectsAround(const glm::vec3& pointWorld) const {
   std::vector<std::uint32_t> around;
   for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
-    if (hostObjects_[i].mediumCount == 0) continue;
+    if (!hostObjects_[i].encloses) continue;
     const int mesh = objectMesh_[i];
     bool inside = false;
     if (mesh >= 0) {

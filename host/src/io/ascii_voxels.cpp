@@ -17,8 +17,8 @@ template <typename T>
 void append(std::vector<std::byte>& bytes, const std::string& path, std::string_view word, std::uint64_t index) {
   const std::optional<T> value = parseNumber<T>(word);
   if (!value)
-    throw Error(Location{path}, "number " + std::to_string(index + 1) + " of its voxels is \"" +
-                                    std::string(word.substr(0, 40)) + "\", which the type in the header cannot hold");
+    throw Error(Location{path}, "number " + std::to_string(index + 1) + " of its voxels is " + quoted(word) +
+                                    ", which the type in the header cannot hold");
   bytes.resize(bytes.size() + sizeof(T));
   std::memcpy(bytes.data() + bytes.size() - sizeof(T), &*value, sizeof(T));
 }

@@ -15,6 +15,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/input_file.hpp"
+#include "io/text_numbers.hpp"
 
 namespace cdsm::io {
 
@@ -58,14 +59,14 @@ void checkImage(const std::string& path, const Image& image) {
 void writeTo(const std::string& file, const std::string& path, const Image& image, Format format) {
   const bool png = format == Format::Png;
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(png ? "png" : "openexr");
-  if (!output) throw Error(Location{path}, "cannot be written: " + OIIO::geterror());
+  if (!output) throw Error(Location{path}, "cannot be written: " + printable(OIIO::geterror()));
   OIIO::ImageSpec spec(image.width, image.height, png ? 3 : 4, png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
   spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
   const std::vector<std::uint8_t> bytes = png ? srgbPixels(image) : std::vector<std::uint8_t>();
   const bool written =
       output->open(file, spec) && (png ? output->write_image(OIIO::TypeDesc::UINT8, bytes.data())
                                        : output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data()));
-  if (!written || !output->close()) throw Error(Location{path}, "cannot be written: " + output->geterror());
+  if (!written || !output->close()) throw Error(Location{path}, "cannot be written: " + printable(output->geterror()));
 }
 
 Image toImage(const OIIO::ImageSpec& spec, const std::vector<float>& values, Format format) {
@@ -104,12 +105,12 @@ Image readImage(const std::string& path) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // colours as the file has them
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &config);
-  if (!input) throw Error(Location{path}, "cannot be read as an image: " + OIIO::geterror());
+  if (!input) throw Error(Location{path}, "cannot be read as an image: " + printable(OIIO::geterror()));
   const OIIO::ImageSpec spec = input->spec();
   std::vector<float> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                             static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    throw Error(Location{path}, "cannot be read as an image: " + input->geterror());
+    throw Error(Location{path}, "cannot be read as an image: " + printable(input->geterror()));
   return toImage(spec, values, format);
 }
 

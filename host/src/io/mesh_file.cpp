@@ -33,16 +33,15 @@ Check checkFor(const std::string& path) {
               "is not known as a mesh by its ending; meshes are read from .obj, .ply, .stl, .gltf and .glb");
 }
 
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+std::string reason(const Assimp::Importer& importer) {
+  const std::string text = printable(importer.GetErrorString());
   return text.empty() ? "no reason given" : text;
 }
 
 /// assimp's steps after reading trust the faces and abort the process on some, so these are checked first.
 void checkFace(const std::string& path, const aiMesh& mesh, unsigned index) {
   const aiFace& face = mesh.mFaces[index];
-  const std::string name =
-      "face " + std::to_string(index) + " (from 0) of mesh \"" + oneLine(mesh.mName.C_Str()) + "\"";
+  const std::string name = "face " + std::to_string(index) + " (from 0) of mesh " + quoted(mesh.mName.C_Str());
   if (face.mNumIndices == 0) throw Error(Location{path}, name + " has no vertices; a face has at least three");
   for (unsigned i = 0; i < face.mNumIndices; ++i)
     if (face.mIndices[i] >= mesh.mNumVertices)
@@ -67,11 +66,11 @@ void checkFaceCount(const std::string& path, const aiScene& scene, std::uint64_t
 const aiScene& load(Assimp::Importer& importer, const std::string& path, std::uint64_t faces) {
   const aiScene* scene = importer.ReadFile(path, 0);
   if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0)
-    throw Error(Location{path}, "cannot be read as a mesh: " + oneLine(importer.GetErrorString()));
+    throw Error(Location{path}, "cannot be read as a mesh: " + reason(importer));
   checkFaces(path, *scene);
   checkFaceCount(path, *scene, faces);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (!scene) throw Error(Location{path}, "cannot be cut into triangles: " + oneLine(importer.GetErrorString()));
+  if (!scene) throw Error(Location{path}, "cannot be cut into triangles: " + reason(importer));
   return *scene;
 }
 
@@ -114,9 +113,8 @@ class CornerCollector {
     }
     for (int i = 0; i < 3; ++i)
       if (!std::isfinite(corner.position[i]) || !std::isfinite(corner.normal[i]))
-        throw Error(Location{path_}, "vertex " + std::to_string(index) + " (from 0) of mesh \"" +
-                                         oneLine(mesh.mName.C_Str()) +
-                                         "\" has a position or normal that is not finite");
+        throw Error(Location{path_}, "vertex " + std::to_string(index) + " (from 0) of mesh " +
+                                         quoted(mesh.mName.C_Str()) + " has a position or normal that is not finite");
     return corner;
   }
 

@@ -67,7 +67,7 @@ bool readFlag(const Header& header, std::initializer_list<const char*> names, bo
   const char first = entry->value.front();
   if (first == 'T' || first == 't' || first == '1') return true;
   if (first == 'F' || first == 'f' || first == '0') return false;
-  header.fail(*entry, "\"" + entry->value + "\" is neither True nor False");
+  header.fail(*entry, quoted(entry->value) + " is neither True nor False");
 }
 
 template <typename T>
@@ -75,7 +75,7 @@ std::vector<T> readNumbers(const Header& header, const Entry& entry, std::size_t
   std::vector<T> numbers;
   for (const std::string_view word : words(entry.value)) {
     const std::optional<T> number = parseNumber<T>(word);
-    if (!number) header.fail(entry, "\"" + std::string(word) + "\" is not a number that can stand here");
+    if (!number) header.fail(entry, quoted(word) + " is not a number that can stand here");
     numbers.push_back(*number);
   }
   if (numbers.size() != count)
@@ -97,7 +97,8 @@ StoredType readType(const Header& header) {
   const Entry& entry = header.need("ElementType");
   const auto at = elementTypes().find(entry.value);
   if (at == elementTypes().end())
-    header.fail(entry, "ElementType " + entry.value + " is not read; MET_UCHAR, MET_SHORT, MET_FLOAT and the like are");
+    header.fail(entry, "ElementType " + printable(entry.value) +
+                           " is not read; MET_UCHAR, MET_SHORT, MET_FLOAT and the like are");
   return at->second;
 }
 
@@ -120,10 +121,11 @@ std::size_t readDimensions(const Header& header, StoredVolume& stored) {
 
 void checkScalarImage(const Header& header) {
   const Entry* object = header.find({"ObjectType"});
-  if (object && object->value != "Image") header.fail(*object, "ObjectType is " + object->value + "; Image is needed");
+  if (object && object->value != "Image")
+    header.fail(*object, "ObjectType is " + printable(object->value) + "; Image is needed");
   const Entry* channels = header.find({"ElementNumberOfChannels"});
   if (channels && channels->value != "1")
-    header.fail(*channels, "has " + channels->value + " components per voxel; a volume has one");
+    header.fail(*channels, "has " + printable(channels->value) + " components per voxel; a volume has one");
   if (!readFlag(header, {"BinaryData"}, true))
     header.fail(*header.find({"BinaryData"}), "numbers as text are not read; write the file with BinaryData = True");
 }

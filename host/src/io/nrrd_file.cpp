@@ -40,7 +40,7 @@ std::string biffMessage() {
     if (!line.empty()) message = line;  // the last one is the cause
   }
   std::free(text);
-  return message.substr(message.find("] ") == std::string::npos ? 0 : message.find("] ") + 2);
+  return printable(message.substr(message.find("] ") == std::string::npos ? 0 : message.find("] ") + 2));
 }
 
 Header loadHeader(const std::string& path) {

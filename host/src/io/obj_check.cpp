@@ -52,8 +52,7 @@ class ObjCheck {
       const std::string_view word = takeWord(text);
       const std::optional<double> value = parseNumber<double>(word);
       if (!value || !std::isfinite(static_cast<float>(*value)))
-        fail("\"" + std::string(word) + "\" is not a finite number; a " + kKinds[kind] + " has " +
-             std::to_string(needed));
+        fail(quoted(word) + " is not a finite number; a " + kKinds[kind] + " has " + std::to_string(needed));
     }
     ++counts_[kind];
   }
@@ -76,7 +75,7 @@ class ObjCheck {
   void checkIndex(std::string_view text, std::size_t kind, std::string_view corner) {
     const std::optional<std::int64_t> index = parseNumber<std::int64_t>(text);
     if (!index || *index == 0)
-      fail("\"" + std::string(corner) + "\" is not a face corner; indices count from 1, or from -1 backwards");
+      fail(quoted(corner) + " is not a face corner; indices count from 1, or from -1 backwards");
     if (*index < 0 && *index < -counts_[kind])
       fail("a face uses " + std::string(kKinds[kind]) + " " + std::to_string(*index) + ", but there are " +
            std::to_string(counts_[kind]) + " before it");

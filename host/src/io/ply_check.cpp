@@ -57,7 +57,7 @@ class HeaderParser {
       else if (line[0] == "property")
         property(line);
       else
-        fail("\"" + std::string(line[0]) + "\" is no word of a PLY header");
+        fail(quoted(line[0]) + " is no word of a PLY header");
     }
     fail("the header has no end_header; is the file cut short?");
   }
@@ -111,7 +111,7 @@ class HeaderParser {
     if (name == "uint" || name == "uint32") return Scalar::UInt32;
     if (name == "float" || name == "float32") return Scalar::Float32;
     if (name == "double" || name == "float64") return Scalar::Float64;
-    fail("\"" + std::string(name) + "\" is no type of PLY");
+    fail(quoted(name) + " is no type of PLY");
   }
 
   std::string path_;
@@ -161,7 +161,7 @@ class Values {
     const std::string_view word = takeWord(rest_);
     if (word.empty()) failShort(element, index);
     const std::optional<double> value = parseNumber<double>(word);
-    if (!value) fail(element, index, "holds \"" + std::string(word.substr(0, 40)) + "\" where a number is needed");
+    if (!value) fail(element, index, "holds " + quoted(word) + " where a number is needed");
     return *value;
   }
 

@@ -44,8 +44,7 @@ float coordinate(const std::string& path, int line, const Cell& cell) {
   if (const std::optional<float> value = parseNumber<float>(cell.text); value && std::isfinite(*value)) return *value;
   if (const std::optional<double> tiny = parseNumber<double>(cell.text); tiny && std::abs(*tiny) < 1.0)
     return static_cast<float>(*tiny);  // below the smallest float
-  throw Error(Location{path, line, cell.column},
-              "\"" + std::string(cell.text.substr(0, 40)) + "\" is not a finite number (of float range)");
+  throw Error(Location{path, line, cell.column}, quoted(cell.text) + " is not a finite number (of float range)");
 }
 
 glm::vec3 parsePoint(const std::string& path, int line, std::string_view text) {

@@ -30,7 +30,7 @@ void checkVertex(const std::string& path, int line, std::string_view text) {
     const std::string_view word = takeWord(text);
     const std::optional<double> value = parseNumber<double>(word);
     if (!value || !std::isfinite(static_cast<float>(*value)))
-      throw Error(Location{path, line, 1}, "\"" + std::string(word) + "\" is not a finite number; a vertex has three");
+      throw Error(Location{path, line, 1}, quoted(word) + " is not a finite number; a vertex has three");
   }
 }
 

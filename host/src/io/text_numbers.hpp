@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in texts, read and written alike in every locale, and lists of words.
+// Numbers in texts, read alike in every locale; words and lines; and how these are quoted in messages.
 #pragma once
 
 #include <algorithm>
@@ -49,6 +49,19 @@ inline std::string_view takeLine(std::string_view& text) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   return line;
 }
+
+/// For messages: the first line that is not blank, at most `most` bytes, with ? for control characters.
+inline std::string printable(std::string_view text, std::size_t most = 200) {
+  std::string line;
+  while (line.empty() && !text.empty()) line = trimmed(takeLine(text));
+  line.resize(std::min(line.size(), most));
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return line;
+}
+
+/// For messages: a word from a file in quotation marks.
+inline std::string quoted(std::string_view word) { return "\"" + printable(word, 40) + "\""; }
 
 /// All words of a text.
 inline std::vector<std::string_view> words(std::string_view text) {

@@ -46,7 +46,7 @@ void Chunked::reserve(std::vector<shared::MapData>& maps) {
 void Chunked::beginMap() { counters_.fill({}); }
 
 void Chunked::growPool(std::size_t nodes, std::size_t kept) {
-  if (nodes <= pool_.size()) return;
+  if (poolSize(device_, nodes) <= pool_.size()) return;
   if (nodes > 0xffffffffu)
     throw DeviceError("the maps need " + std::to_string(nodes) +
                       " nodes, more than 2^32; take smaller maps or a larger tolerance");
