@@ -16,10 +16,11 @@ namespace {
 
 using namespace cdsm::cli;
 
-constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand, addRenderCommand, addTransmittanceCommand};
+constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand, addRenderCommand, addTransmittanceCommand,
+                                           addBenchCommand};
 
 /// Commands of the contract that this version refuses.
-constexpr const char* kLaterCommands[] = {"export-map", "compare", "bench"};
+constexpr const char* kLaterCommands[] = {"export-map", "compare"};
 
 void addLaterCommand(CLI::App& app, const std::string& name) {
   CLI::App* command = app.add_subcommand(name)->group("");  // "": not in the help

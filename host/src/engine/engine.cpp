@@ -22,13 +22,13 @@ const DeviceDescription& Engine::device() const { return impl_->frame.device(); 
 const FrameStats& Engine::stats() const { return impl_->frame.stats(); }
 
 Image Engine::render(const Scene& scene) {
-  validate(scene);
+  impl_->frame.check(scene);
   return impl_->frame.render(scene);
 }
 
 std::vector<Transmittance> Engine::transmittance(const Scene& scene, const std::string& light,
                                                  const std::vector<glm::vec3>& points) {
-  validate(scene);
+  impl_->frame.check(scene);
   std::string known;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     if (scene.lights[i].name == light) return impl_->frame.transmittance(scene, i, points);

@@ -4,6 +4,7 @@
 #include "cluster/light_camera.hpp"
 #include "engine/supersampling.hpp"
 #include "scene/changes.hpp"
+#include "scene/validate.hpp"
 #include "scene/view.hpp"
 #include "technique/registry.hpp"
 
@@ -23,6 +24,14 @@ FrameState::FrameState(const EngineOptions& options)
       raster_(*device_),
       shade_(*device_),
       query_(*device_) {}
+
+void FrameState::check(const Scene& scene) const {
+  if (!current_ || !scene::sameObjects(*current_, scene)) return validate(scene);
+  scene::validateCamera(scene.camera);
+  scene::validateImage(scene.image);
+  scene::validateShadows(scene.shadows);
+  for (const Light& light : scene.lights) scene::validateLight(light);
+}
 
 Image FrameState::render(const Scene& scene) {
   beginStats();

@@ -22,6 +22,9 @@ class FrameState {
  public:
   explicit FrameState(const EngineOptions& options);
 
+  /// validate(), without looking again at objects that the last scene had too.
+  void check(const Scene& scene) const;
+
   Image render(const Scene& scene);
   std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
 
