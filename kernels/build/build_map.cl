@@ -16,9 +16,8 @@ typedef struct LightRay {
   float partsPerTau;  // of a step, see absorb()
 } LightRay;
 
-/// One step with optical depth tau > 0 between two depths. Where it is so dense that a straight line would miss the
-/// exponential by more than the tolerance (tau^2 / 8), it is handed on in parts.
-void absorb(LightRay* r, float from, float to, float tau) {
+/// A step so dense that a straight line would miss the exponential by more than the tolerance (tau^2 / 8).
+void absorbInParts(LightRay* r, float from, float to, float tau) {
   int parts = (int)clamp(ceil(tau * r->partsPerTau), 1.0f, 16.0f);
   float factor = transmittanceOf(tau / (float)parts), spacing = (to - from) / (float)parts;
   for (int i = 1; i <= parts && r->transmittance > 0.0f; ++i) {
@@ -29,8 +28,28 @@ void absorb(LightRay* r, float from, float to, float tau) {
   }
 }
 
+/// One step with optical depth tau > 0 between two depths; factor = exp(-tau).
+CDSM_INLINE void absorb(LightRay* r, float from, float to, float tau, float factor) {
+  if (tau * r->partsPerTau > 1.0f) return absorbInParts(r, from, to, tau);
+  r->transmittance *= factor;
+  if (r->transmittance < r->least) r->transmittance = 0.0f;
+  fallTo(&r->builder, from, to, r->transmittance);
+}
+
+/// Steps i .. i + count - 1, of which `tau` are the optical depths.
+CDSM_INLINE void absorbBatch(LightRay* r, const Steps* steps, int i, int count, floatN tau) {
+  float depths[CDSM_BATCH], factors[CDSM_BATCH];
+  vstoreN(tau, 0, depths);
+  vstoreN(exp2Batch(tau * -CDSM_LOG2_E), 0, factors);
+  for (int k = 0; k < count && r->transmittance > 0.0f; ++k) {
+    if (depths[k] <= 0.0f) continue;
+    float from = steps->start + (float)(i + k) * steps->spacing;
+    absorb(r, from, from + steps->spacing, depths[k], factors[k]);
+  }
+}
+
 /// One volume alone: whole runs of samples in empty macrocells are skipped.
-void marchVolume(LightRay* r, SceneAccess scene, const MediumData* m, const Steps* steps CDSM_VOLUME_PARAMS) {
+CDSM_INLINE void marchVolume(LightRay* r, SceneAccess scene, const MediumData* m, const Steps* steps CDSM_VOLUME_PARAMS) {
   IndexRay index = indexRay(m, &r->ray);
   for (int i = 0; i < steps->count;) {
     Run run = volumeRun(m, scene.cells, &index, steps, i);
@@ -38,14 +57,13 @@ void marchVolume(LightRay* r, SceneAccess scene, const MediumData* m, const Step
       i = run.end;
       continue;
     }
-    for (; i < run.end; ++i) {
-      float3 p = index.origin + sampleDepth(steps, i) * index.dir;
-      float extinction = volumeExtinction(scene, m, p CDSM_VOLUME_ARGS);
-      if (extinction <= 0.0f) continue;
-      float from = steps->start + (float)i * steps->spacing;
-      absorb(r, from, from + steps->spacing, extinction * steps->length);
+    for (; i < run.end; i += CDSM_BATCH) {
+      floatN tau = sampleExtinctions(scene, m, &index, steps, i CDSM_VOLUME_ARGS) * steps->length;
+      if (!any(tau > 0.0f)) continue;
+      absorbBatch(r, steps, i, min(run.end - i, CDSM_BATCH), tau);
       if (r->transmittance == 0.0f) return;
     }
+    i = run.end;
   }
 }
 
@@ -60,7 +78,8 @@ void marchMedia(LightRay* r, SceneAccess scene, const SegmentWalk* walk, const S
     }
     if (extinction <= 0.0f) continue;
     float from = steps->start + (float)i * steps->spacing;
-    absorb(r, from, from + steps->spacing, extinction * steps->length);
+    float tau = extinction * steps->length;
+    absorb(r, from, from + steps->spacing, tau, transmittanceOf(tau));
     if (r->transmittance == 0.0f) return;
   }
 }

@@ -4,7 +4,7 @@
 #include "shared/scene_data.h"
 
 /// A work item per cell: 0 if some value within its bounds has extinction, else 1. `solidBefore[i]` counts the table
-/// entries before i that are not 0; interpolation also touches the entry above the upper bound.
+/// entries before i that are not 0; interpolation also touches the entry above the upper bound, unless that is an entry.
 __kernel void classifyCells(CellParams params, __global const float2* bounds, __global const uint* solidBefore,
                             __global uchar* reach) {
   int cell = (int)get_global_id(0);
@@ -12,7 +12,7 @@ __kernel void classifyCells(CellParams params, __global const float2* bounds, __
   float last = (float)params.lutLast;
   float low = clamp(bounds[cell].x * params.lutScale + params.lutBias, 0.0f, last);
   float high = clamp(bounds[cell].y * params.lutScale + params.lutBias, 0.0f, last);
-  uint first = (uint)low, end = min((uint)high + 1u, params.lutLast) + 1u;
+  uint first = (uint)low, end = (uint)ceil(high) + 1u;
   reach[params.cells.w + cell] = solidBefore[end] == solidBefore[first] ? 1 : 0;
 }
 

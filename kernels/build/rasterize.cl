@@ -12,24 +12,25 @@ float4 cornerInView(const ViewData* view, float3 pointWorld) {
 }
 
 /// Distance to clip plane k, >= 0 inside: 0 near, 1-4 the guard band around the screen, where fixed point would end.
-float clipDistance(float4 corner, int k, float nearDepth) {
+float clipDistance(float4 corner, int k, const ViewData* view) {
   switch (k) {
-    case 0: return corner.z - nearDepth;
+    case 0: return corner.z - view->nearDepth;
     case 1: return corner.x + CDSM_GUARD_PIXELS * corner.w;
-    case 2: return CDSM_GUARD_PIXELS * corner.w - corner.x;
+    case 2: return (CDSM_GUARD_PIXELS + (float)view->width) * corner.w - corner.x;
     case 3: return corner.y + CDSM_GUARD_PIXELS * corner.w;
-    default: return CDSM_GUARD_PIXELS * corner.w - corner.y;
+    default: return (CDSM_GUARD_PIXELS + (float)view->height) * corner.w - corner.y;
   }
 }
 
-/// Sutherland-Hodgman against one plane; `polygon` has room for 8 corners, returns the new number of corners. An edge is
-/// always cut from its inner to its outer end, so that both triangles at the edge get the same new corner.
-int clipPolygon(float4* polygon, int count, int plane, float nearDepth) {
+/// Sutherland-Hodgman against one plane; `polygon` has room for 9 corners, returns the new number of corners. An edge is
+/// always cut from its inner to its outer end, so that both triangles at the edge get the same new corner. A triangle and
+/// five planes make 8 corners; more could only come of rounding in polygons that lie in a plane, whose area is 0.
+int clipPolygon(float4* polygon, int count, int plane, const ViewData* view) {
   float4 clipped[9];
   int kept = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && kept < 8; ++i) {
     float4 p = polygon[i], q = polygon[i + 1 < count ? i + 1 : 0];
-    float dp = clipDistance(p, plane, nearDepth), dq = clipDistance(q, plane, nearDepth);
+    float dp = clipDistance(p, plane, view), dq = clipDistance(q, plane, view);
     if (dp >= 0.0f) clipped[kept++] = p;
     if (dp >= 0.0f && dq < 0.0f) clipped[kept++] = p + (q - p) * (dp / (dp - dq));
     if (dp < 0.0f && dq >= 0.0f) clipped[kept++] = q + (p - q) * (dq / (dq - dp));
@@ -88,8 +89,8 @@ __kernel void setupTriangles(SetupParams params, ViewData view, __global const u
   int count = 3;
   for (int plane = 0; plane < 5; ++plane) {
     bool inside = true;
-    for (int i = 0; i < count; ++i) inside = inside && clipDistance(polygon[i], plane, view.nearDepth) >= 0.0f;
-    if (!inside) count = clipPolygon(polygon, count, plane, view.nearDepth);
+    for (int i = 0; i < count; ++i) inside = inside && clipDistance(polygon[i], plane, &view) >= 0.0f;
+    if (!inside) count = clipPolygon(polygon, count, plane, &view);
   }
   if (count < 3) return;
 

@@ -5,20 +5,20 @@
 #define CDSM_SCAN_BLOCK 1024
 
 /// A work item per block: its sum.
-__kernel void scanBlockSums(uint count, __global const uint* values, __global uint* blockSums) {
+__kernel void scanBlockSums(uint count, __global const uint* values, __global ulong* blockSums) {
   uint first = (uint)get_global_id(0) * CDSM_SCAN_BLOCK;
   if (first >= count) return;
   uint last = min(first + CDSM_SCAN_BLOCK, count);
-  uint sum = 0;
+  ulong sum = 0;
   for (uint i = first; i < last; ++i) sum += values[i];
   blockSums[get_global_id(0)] = sum;
 }
 
-/// One work item: offsets of the blocks in place, and behind them the total.
-__kernel void scanBlocks(uint blockCount, __global uint* blockSums) {
-  uint sum = 0;
+/// One work item: offsets of the blocks in place, and behind them the total, in 64 bits for the host to check.
+__kernel void scanBlocks(uint blockCount, __global ulong* blockSums) {
+  ulong sum = 0;
   for (uint i = 0; i < blockCount; ++i) {
-    uint value = blockSums[i];
+    ulong value = blockSums[i];
     blockSums[i] = sum;
     sum += value;
   }
@@ -26,12 +26,12 @@ __kernel void scanBlocks(uint blockCount, __global uint* blockSums) {
 }
 
 /// A work item per block: the sums of its values; `sums` has count + 1 entries, the last is the total.
-__kernel void scanValues(uint count, __global const uint* values, __global const uint* blockSums,
+__kernel void scanValues(uint count, __global const uint* values, __global const ulong* blockSums,
                          __global uint* sums) {
   uint first = (uint)get_global_id(0) * CDSM_SCAN_BLOCK;
   if (first >= count) return;
   uint last = min(first + CDSM_SCAN_BLOCK, count);
-  uint sum = blockSums[get_global_id(0)];
+  uint sum = (uint)blockSums[get_global_id(0)];
   for (uint i = first; i < last; ++i) {
     sums[i] = sum;
     sum += values[i];

@@ -19,6 +19,7 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
   r.color = (float3)(0.0f);
   r.transparency = 1.0f;
   r.samples = 0;
+  for (int i = 0; i < CDSM_TRACKS; ++i) r.tracks[i].valid = false;
   SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
                                scene);
   while (walk.left > 0 && r.transparency > CDSM_OPAQUE) {

@@ -47,7 +47,8 @@ std::size_t RasterPass::screenCount() const { return screen_.size(); }
 
 void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report) {
   const std::size_t triangles = scene.triangles().size();
-  if (screen_.reserve(triangles + 64)) large_.reserve(screen_.size());
+  screen_.reserve(triangles + 64);
+  large_.reserve(screen_.size());
   for (;;) {
     params_.triangleCount = shared::uint(triangles);
     params_.capacity = shared::uint(screen_.size());
@@ -59,7 +60,7 @@ void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, c
     report("room for screen triangles grown from " + std::to_string(screen_.size()) + " to " + std::to_string(wanted) +
            ", clipping made more of them; triangles set up again");
     screen_.reserve(wanted);
-    large_.reserve(wanted);
+    large_.reserve(screen_.size());
   }
 }
 
@@ -98,9 +99,14 @@ Layers& RasterPass::run(const DeviceScene& scene, shared::ViewData view, const R
   countTiles(view);
   const std::size_t pairs = scan_(tiles, tilePairs_, tileStart_);
   const std::size_t fragments = scan_(tiles, tileFragments_, tileFragmentStart_);
+  const std::size_t slots = fragments + tiles * CDSM_TILE_PIXELS * around.size();
+  if (slots > 0xffffffffu)
+    throw DeviceError("a view of " + std::to_string(view.width) + " x " + std::to_string(view.height) +
+                      " pixels needs room for " + std::to_string(slots) +
+                      " fragments, must be below 2^32; take a smaller image or map");
   masks_.reserve(pairs);
   owners_.reserve(pairs);
-  layers_.fragments.reserve(fragments + tiles * CDSM_TILE_PIXELS * around.size());
+  layers_.fragments.reserve(slots);
   fillTiles(view);
   sortFragments_({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, screen_, tileStart_,
                  tileFragmentStart_, masks_, owners_, layers_.fragments, layers_.ranges);

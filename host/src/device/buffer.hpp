@@ -113,9 +113,9 @@ class Buffer {
   }
 
   /// Room for at least `count` elements: size() becomes `count` and the content is lost if it had fewer.
-  /// True if it grew.
+  /// True if it grew. After a reserve() that threw the buffer is not allocated; the next one that fits makes it usable.
   bool reserve(std::size_t count) {
-    if (count <= size_) return false;
+    if (count <= size_ && allocated()) return false;
     size_ = 0;
     storage_.reallocate(count, sizeof(T));
     size_ = count;

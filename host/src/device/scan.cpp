@@ -26,8 +26,13 @@ std::uint32_t Scan::operator()(std::size_t count, const Uints& values, Uints& su
   blockSums_.reserve(blocks + 1);
   scanBlockSums_({"scan block sums", {blocks}, {kGroup}}, std::uint32_t(count), values, blockSums_);
   scanBlocks_({"scan blocks", {1}, {1}}, std::uint32_t(blocks), blockSums_);
+  const std::uint64_t total = blockSums_.read(blocks);
+  if (total > 0xffffffffu)
+    throw DeviceError("'" + values.name() + "' add up to " + std::to_string(total) +
+                      ", which must be below 2^32; take smaller images or maps, or fewer triangles");
+  if (count == 0) sums.upload({0});
   scanValues_({"scan values", {blocks}, {kGroup}}, std::uint32_t(count), values, blockSums_, sums);
-  return sums.read(count);
+  return std::uint32_t(total);
 }
 
 }  // namespace cdsm::device

@@ -16,15 +16,17 @@ class Scan {
   explicit Scan(Device& device);
 
   /// sums[i] = values[0] + ... + values[i - 1] for i = 0 .. count; returns sums[count]. `sums` holds count + 1.
+  /// Throws DeviceError with the total if it is not below 2^32.
   std::uint32_t operator()(std::size_t count, const Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& sums);
 
  private:
   using Uints = Buffer<std::uint32_t>;
+  using Sums = Buffer<std::uint64_t>;
   Device& device_;
-  Uints blockSums_;
-  Kernel<std::uint32_t, Uints, Uints> scanBlockSums_;
-  Kernel<std::uint32_t, Uints> scanBlocks_;
-  Kernel<std::uint32_t, Uints, Uints, Uints> scanValues_;
+  Sums blockSums_;
+  Kernel<std::uint32_t, Uints, Sums> scanBlockSums_;
+  Kernel<std::uint32_t, Sums> scanBlocks_;
+  Kernel<std::uint32_t, Uints, Sums, Uints> scanValues_;
 };
 
 }  // namespace cdsm::device

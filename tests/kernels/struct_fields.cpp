@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of shared structs.
+#include "struct_fields.hpp"
+
+#include "shared/bvh_data.h"
+#include "shared/frame_data.h"
+#include "shared/layer_data.h"
+#include "shared/map_data.h"
+#include "shared/scene_data.h"
+#include "shared/view_data.h"
+
+namespace cdsm::kernels {
+namespace {
+
+using namespace shared;
+using Scalars = std::vector<Scalar>;
+
+Scalars numbers(int count, bool isFloat) {
+  const char* const names[] = {".x", ".y", ".z", ".w"};
+  Scalars scalars;
+  for (int i = 0; i < count; ++i) scalars.push_back({count == 1 ? "" : names[i], std::size_t(i) * 4, isFloat});
+  return scalars;
+}
+
+/// The numbers of a type; structs add theirs below.
+template <class T>
+Scalars scalarsOf();
+template <>
+Scalars scalarsOf<float>() {
+  return numbers(1, true);
+}
+template <>
+Scalars scalarsOf<float4>() {
+  return numbers(4, true);
+}
+template <>
+Scalars scalarsOf<int>() {
+  return numbers(1, false);
+}
+template <>
+Scalars scalarsOf<int2>() {
+  return numbers(2, false);
+}
+template <>
+Scalars scalarsOf<int4>() {
+  return numbers(4, false);
+}
+template <>
+Scalars scalarsOf<shared::uint>() {
+  return numbers(1, false);
+}
+
+template <class T>
+void append(Scalars& scalars, const char* name, std::size_t offset) {
+  for (const Scalar& part : scalarsOf<T>())
+    scalars.push_back({"." + std::string(name) + part.path, offset + part.offset, part.isFloat});
+}
+
+#define CDSM_BEGIN(Name)      \
+  template <>                 \
+  Scalars scalarsOf<Name>() { \
+    using Type = Name;        \
+    Scalars s;
+#define F(field) append<decltype(Type::field)>(s, #field, offsetof(Type, field));
+#define CDSM_END \
+  return s;      \
+  }
+
+CDSM_BEGIN(BvhNode)
+F(low)
+F(high)
+F(link)
+F(count)
+F(padding0)
+F(padding1)
+CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
+
+    CDSM_BEGIN(ViewData) F(pixelU) F(pixelV) F(pixelW) F(depth) F(origin) F(originU) F(originV) F(dir) F(dirU) F(dirV)
+        F(width) F(height) F(tilesX) F(tilesY) F(nearDepth) F(initialCount) F(padding0) F(padding1) CDSM_END
+
+    CDSM_BEGIN(BuildParams) F(view) F(tolerance) F(interiorStep) F(mapIndex) F(padding) CDSM_END CDSM_BEGIN(ShadeParams)
+        F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) CDSM_END CDSM_BEGIN(QueryParams)
+            F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(chunkCapacity) F(padding0)
+                F(padding1) F(padding2) CDSM_END CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount)
+                    F(nodeCount) F(padding) CDSM_END
+
+    CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
+        F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(pairs)
+            F(fragments) CDSM_END CDSM_BEGIN(SetupParams) F(triangleCount) F(capacity) F(padding0) F(padding1) CDSM_END
+
+    CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(padding0) F(padding1) CDSM_END
+    CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height)
+        F(firstTexel) F(firstNode) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes) F(padding0)
+            F(padding1) CDSM_END
+
+    CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
+        F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) CDSM_END CDSM_BEGIN(MediumData) F(indexFromWorld)
+            F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias) F(lutOffset) F(lutLast) F(step) F(shading)
+                F(boxObject) F(padding) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
+                    F(padding) CDSM_END
+
+    template <class T>
+    SharedStruct entry(const char* name, const char* header) {
+  return {name, header, sizeof(T), scalarsOf<T>()};
+}
+
+}  // namespace
+
+#define CDSM_ENTRY(Name, header) entry<Name>(#Name, "shared/" header)
+
+std::vector<SharedStruct> sharedStructs() {
+  return {CDSM_ENTRY(BvhNode, "bvh_data.h"),          CDSM_ENTRY(BvhTriangle, "bvh_data.h"),
+          CDSM_ENTRY(BuildParams, "frame_data.h"),    CDSM_ENTRY(ShadeParams, "frame_data.h"),
+          CDSM_ENTRY(QueryParams, "frame_data.h"),    CDSM_ENTRY(TechniqueParams, "frame_data.h"),
+          CDSM_ENTRY(ScreenTriangle, "layer_data.h"), CDSM_ENTRY(RasterCounters, "layer_data.h"),
+          CDSM_ENTRY(SetupParams, "layer_data.h"),    CDSM_ENTRY(LightData, "map_data.h"),
+          CDSM_ENTRY(MapData, "map_data.h"),          CDSM_ENTRY(MemoryParams, "map_data.h"),
+          CDSM_ENTRY(BuildCounters, "map_data.h"),    CDSM_ENTRY(Affine, "scene_data.h"),
+          CDSM_ENTRY(ObjectData, "scene_data.h"),     CDSM_ENTRY(MediumData, "scene_data.h"),
+          CDSM_ENTRY(CellParams, "scene_data.h"),     CDSM_ENTRY(ViewData, "view_data.h")};
+}
+
+}  // namespace cdsm::kernels
