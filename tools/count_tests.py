@@ -3,7 +3,7 @@
 """Counts the tests of a ctest run: count_tests.py REPORT.xml (ctest --output-junit).
 
 An entry that says how many cases it ran (GoogleTest, run_robust.py, a line "N passed, N failed") counts as these, any
-other as one. Prints the failed entries and, as the last line, "N passed, N failed". Exit status 0 if none failed."""
+other as one. Prints the failed and skipped entries and, as the last line, "N passed, N failed". Exit status 0 if none failed."""
 import re
 import sys
 import xml.etree.ElementTree
@@ -26,8 +26,16 @@ def cases_of(output):
     return tuple(map(int, own[-1])) if own else None
 
 
+def is_skipped(entry):
+    """True for what is switched off or found nothing to test on; a missing program is no reason."""
+    reason = entry.find("skipped")
+    return entry.get("status") == "disabled" or reason is not None and reason.get("message", "").startswith("SKIP_")
+
+
 def count(entry):
     """(passed, failed) of one <testcase>: an entry that failed counts as a failure whatever it printed."""
+    if is_skipped(entry):
+        return 0, 0
     succeeded = entry.get("status") == "run"
     passed, failed = cases_of(entry.findtext("system-out") or "") or (int(succeeded), 0)
     return passed, failed if succeeded else max(failed, 1)
@@ -43,9 +51,9 @@ def main():
         print("0 passed, 1 failed")
         sys.exit(1)
     counts = {entry.get("name"): count(entry) for entry in entries}
-    for name, (_, failed) in counts.items():
-        if failed:
-            print(f"failed: {name}")
+    for name, (passed, failed) in counts.items():
+        if failed or not passed:
+            print(f"{'failed' if failed else 'skipped'}: {name}")
     passed, failed = (sum(column) for column in zip(*counts.values())) if counts else (0, 1)
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)

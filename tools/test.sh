@@ -9,10 +9,20 @@ source "$root/tools/build.sh"
 
 report=$root/build/test_report.xml
 
-{ build_packages && test_packages; } | install_packages
-configure -DCDSM_WARNINGS_AS_ERRORS=ON
-grep -q '^CDSM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" || cmake -S "$root" -B "$root/build" -DCDSM_TESTS=ON >/dev/null
-build
+# A folder that demo.sh made has no tests yet.
+with_tests() {
+  grep -q '^CDSM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" || cmake -S "$root" -B "$root/build" -DCDSM_TESTS=ON >/dev/null
+}
+
+prepare() {
+  { build_packages && test_packages; } | install_packages && configure -DCDSM_WARNINGS_AS_ERRORS=ON && with_tests && build
+}
+
+if ! prepare; then
+  echo "failed: the build"
+  echo "0 passed, 1 failed"
+  exit 1
+fi
 
 rm -f "$report"
 status=0

@@ -21,8 +21,7 @@ struct BenchOptions {
 };
 
 void run(const BenchOptions& options) {
-  if (options.suite != "demo")
-    throw UsageError("the suite '" + options.suite + "' is not supported yet; known: demo");
+  if (options.suite != "demo") throw UsageError("the suite '" + options.suite + "' is not supported yet; known: demo");
   if (!options.json.empty()) io::checkOutputPath(options.json);
   const nlohmann::ordered_json results = benchDemo(options.demo, std::cout);
   if (options.json.empty()) return;

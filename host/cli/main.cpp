@@ -17,7 +17,7 @@ namespace {
 using namespace cdsm::cli;
 
 constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand, addRenderCommand, addTransmittanceCommand,
-                                           addBenchCommand};
+                                            addBenchCommand};
 
 /// Commands of the contract that this version refuses.
 constexpr const char* kLaterCommands[] = {"export-map", "compare"};

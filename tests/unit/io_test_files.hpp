@@ -16,9 +16,7 @@
 namespace cdsm::test {
 
 /// A file of tests/data, which make_data.py writes. The build says where that is.
-inline std::string dataFile(const std::string& name) {
-  return (std::filesystem::path(CDSM_TEST_DATA) / name).string();
-}
+inline std::string dataFile(const std::string& name) { return (std::filesystem::path(CDSM_TEST_DATA) / name).string(); }
 
 inline std::string readBytes(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);

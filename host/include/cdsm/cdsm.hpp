@@ -16,11 +16,11 @@ namespace cdsm {
 
 /// What an OpenCL device is and which of the engine's paths it would use.
 struct DeviceDescription {
-  std::string id;        ///< "platform:device", as `cdsm devices` numbers them
+  std::string id;  ///< "platform:device", as `cdsm devices` numbers them
   std::string platform;
   std::string name;
   std::string version;
-  std::string type;      ///< cpu | gpu | accelerator | other
+  std::string type;  ///< cpu | gpu | accelerator | other
   unsigned computeUnits = 0;
   std::uint64_t memoryBytes = 0;
   std::uint64_t maxAllocationBytes = 0;
@@ -36,7 +36,7 @@ std::vector<DeviceDescription> listDevices();
 struct EngineOptions {
   std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
   std::string fetch = "auto";  ///< auto | buffer | image
-  std::function<void(const std::string&)> warning;             ///< told once per oddity; may be empty
+  std::function<void(const std::string&)> warning;                    ///< told once per oddity; may be empty
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
 };
 

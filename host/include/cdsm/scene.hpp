@@ -34,11 +34,11 @@ struct ImageSettings {
 struct ShadowSettings {
   std::string technique = "deep-shadow-map";
   std::string memory = "chunked";
-  int mapSize = 512;            ///< texels per side
-  float tolerance = 0.01f;      ///< epsilon of the compression, in opacity, in [0, 1)
+  int mapSize = 512;                ///< texels per side
+  float tolerance = 0.01f;          ///< epsilon of the compression, in opacity, in [0, 1)
   std::string filter = "bilinear";  ///< bilinear | nearest
-  float step = 0.0f;            ///< ray step in world units; 0: half the smallest voxel edge in the segment
-  float bias = 0.0f;            ///< world units towards the light for surface points; 0: chosen from the scene
+  float step = 0.0f;                ///< ray step in world units; 0: half the smallest voxel edge in the segment
+  float bias = 0.0f;                ///< world units towards the light for surface points; 0: chosen from the scene
 };
 
 enum class LightType { Spot };

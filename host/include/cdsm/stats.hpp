@@ -16,7 +16,7 @@ struct MapStats {
   double nodesMean = 0.0;  ///< over all texels, empty ones included
   std::uint64_t nodesMax = 0;
   std::uint64_t nodesTotal = 0;
-  double fovX = 0.0, fovY = 0.0;  ///< degrees
+  double fovX = 0.0, fovY = 0.0;           ///< degrees
   double nearDepth = 0.0, farDepth = 0.0;  ///< world units along the light's axis
 };
 
@@ -31,9 +31,9 @@ struct MemoryStats {
   std::uint64_t bytesReserved = 0;  ///< of the finished maps, bookkeeping included
   std::uint64_t bytesUsed = 0;
   std::uint64_t bytesWasted = 0;
-  std::uint64_t chunksUsed = 0;     ///< while building, strategy "chunked" alone
-  std::uint64_t chunksWasted = 0;   ///< handed out and never written
-  double bytesPerNode = 0.0;        ///< of a node itself, without bookkeeping
+  std::uint64_t chunksUsed = 0;    ///< while building, strategy "chunked" alone
+  std::uint64_t chunksWasted = 0;  ///< handed out and never written
+  double bytesPerNode = 0.0;       ///< of a node itself, without bookkeeping
 };
 
 /// One launch of a kernel, by its human name.
@@ -50,8 +50,8 @@ struct FrameStats {
   std::vector<LightStats> lights;
   MemoryStats memory;
   std::vector<KernelTime> kernels;
-  std::uint64_t shadedSamples = 0;      ///< volume samples with an opacity, summed over the camera's rays
-  std::vector<std::string> reports;     ///< what a pass had to repeat, and why ("pair buffer grown to ...")
+  std::uint64_t shadedSamples = 0;   ///< volume samples with an opacity, summed over the camera's rays
+  std::vector<std::string> reports;  ///< what a pass had to repeat, and why ("pair buffer grown to ...")
 };
 
 }  // namespace cdsm

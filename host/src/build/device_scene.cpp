@@ -20,7 +20,10 @@ namespace {
 constexpr unsigned kMostRings = 6;
 
 shared::Affine affineOf(const glm::mat4& m) {
-  const auto row = [&](int i) { const glm::vec4 r = glm::row(m, i); return shared::float4(glm::vec3(r), r.w); };
+  const auto row = [&](int i) {
+    const glm::vec4 r = glm::row(m, i);
+    return shared::float4(glm::vec3(r), r.w);
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -213,7 +216,7 @@ void DeviceScene::classify(const shared::MediumData& medium) {
   const shared::CellParams params{medium.cells, medium.lutScale, medium.lutBias, medium.lutLast, 0};
   const cl::Program& program = device_.programs().get({"build/macrocells.cl", {}, {}});
   device::Kernel<shared::CellParams, device::Buffer<shared::float2>, Uints, Cells> classifyCells(device_, program,
-                                                                                              "classifyCells");
+                                                                                                 "classifyCells");
   device::Kernel<shared::CellParams, std::uint32_t, Cells, Cells> growReach(device_, program, "growReach");
   classifyCells({"classify macrocells", {count}, {64}}, params, slots_.slot(medium.size.w).cellBounds, solid, cells_);
   for (unsigned ring = 1; ring <= kMostRings; ++ring) {

@@ -65,7 +65,7 @@ class DeviceScene {
   std::vector<shared::uint4> hostTriangles_;
   std::vector<float> hostPositions_, hostNormals_;
   std::vector<shared::ObjectData> hostObjects_;
-  std::vector<int> objectMesh_;    ///< per object: its mesh, or -1 - volume for a volume's box
+  std::vector<int> objectMesh_;  ///< per object: its mesh, or -1 - volume for a volume's box
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
   std::vector<float> extinctionLut_;

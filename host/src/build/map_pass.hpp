@@ -21,9 +21,9 @@ class MapPass {
                                    const RasterPass::Report& report);
 
  private:
-  using BuildKernel = device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
-                                     device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList,
-                                     device::ArgumentList>;
+  using BuildKernel =
+      device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                     device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList, device::ArgumentList>;
 
   device::Device& device_;
 };

@@ -75,8 +75,8 @@ void RasterPass::countTiles(const shared::ViewData& view) {
 
 void RasterPass::fillTiles(const shared::ViewData& view) {
   tileCursor_.fill(0);
-  fillPairs_({"fill tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
-             tileCursor_, masks_, owners_);
+  fillPairs_({"fill tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tileStart_, tileCursor_,
+             masks_, owners_);
   fillPairsLarge_({"fill tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
                   counters_, large_, tileStart_, tileCursor_, masks_, owners_);
 }

@@ -18,8 +18,8 @@ namespace cdsm::build {
 struct Layers {
   shared::ViewData view;
   device::Buffer<std::uint64_t> fragments;
-  device::Buffer<shared::uint2> ranges;                 ///< per pixel, tile after tile
-  device::Buffer<std::uint32_t> initialObjects;         ///< that contain the eye
+  device::Buffer<shared::uint2> ranges;          ///< per pixel, tile after tile
+  device::Buffer<std::uint32_t> initialObjects;  ///< that contain the eye
 };
 
 /// Keeps its buffers and lets them grow.

@@ -14,8 +14,8 @@ constexpr int kMostEntries = 8192;
 /// Linear between the points, constant outside; at a step the value after it.
 template <class Point, class Value>
 Value interpolate(const std::vector<Point>& points, float at, Value Point::*value) {
-  const auto after = std::upper_bound(points.begin(), points.end(), at,
-                                      [](float v, const Point& point) { return v < point.value; });
+  const auto after =
+      std::upper_bound(points.begin(), points.end(), at, [](float v, const Point& point) { return v < point.value; });
   if (after == points.begin()) return points.front().*value;
   if (after == points.end()) return points.back().*value;
   const Point& low = *(after - 1);

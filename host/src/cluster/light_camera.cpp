@@ -49,6 +49,8 @@ shared::MapData mapData(const shared::ViewData& view) {
   return map;
 }
 
-double mapFov(const Light& light, int mapSize) { return glm::degrees(2.0 * std::atan(double(mapTangent(light, mapSize)))); }
+double mapFov(const Light& light, int mapSize) {
+  return glm::degrees(2.0 * std::atan(double(mapTangent(light, mapSize))));
+}
 
 }  // namespace cdsm::cluster

@@ -43,7 +43,8 @@ Image FrameState::render(const Scene& scene) {
   const float nearDepth = std::max(kNearPart * deviceScene_.bounds().diagonal(), 1e-20f);
   const shared::ViewData view =
       scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
-  build::Layers& layers = raster_.run(deviceScene_, view, [&](const std::string& what) { stats_.reports.push_back(what); });
+  build::Layers& layers =
+      raster_.run(deviceScene_, view, [&](const std::string& what) { stats_.reports.push_back(what); });
   const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
   stats_.shadedSamples = shaded.shadedSamples;
   Image image = resolve(shaded.pixels, scene.image);
@@ -70,8 +71,8 @@ void FrameState::prepare(const Scene& scene) {
   const std::optional<Scene> before = std::exchange(current_, std::nullopt);
   const bool objects = before && scene::sameObjects(*before, scene);
   if (!objects) uploadObjects(scene);
-  regenerated_ = !objects || !scene::sameLightShapes(*before, scene) ||
-                 !scene::sameMapSettings(before->shadows, scene.shadows);
+  regenerated_ =
+      !objects || !scene::sameLightShapes(*before, scene) || !scene::sameMapSettings(before->shadows, scene.shadows);
   if (regenerated_) prepareTechnique(scene);
   uploadLights(scene);
   current_ = scene;

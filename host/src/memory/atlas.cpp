@@ -7,13 +7,12 @@ namespace cdsm::memory {
 
 namespace {
 
-constexpr int kFirstLayers = 16;      ///< enough for most scenes at tolerance 0.01; even
-constexpr int kMostTexels = 2048;     ///< t_max, along x and y [Knecht 2011, eq. 4.7]
+constexpr int kFirstLayers = 16;   ///< enough for most scenes at tolerance 0.01; even
+constexpr int kMostTexels = 2048;  ///< t_max, along x and y [Knecht 2011, eq. 4.7]
 
 }  // namespace
 
-Atlas::Atlas(device::Device& device)
-    : device_(device), layers_(kFirstLayers), counters_(device, 1, "build counters") {}
+Atlas::Atlas(device::Device& device) : device_(device), layers_(kFirstLayers), counters_(device, 1, "build counters") {}
 
 void Atlas::reserve(std::vector<shared::MapData>& maps) {
   const int count = std::max(1, int(maps.size())), side = maps.empty() ? 1 : maps[0].width;
@@ -24,12 +23,14 @@ void Atlas::reserve(std::vector<shared::MapData>& maps) {
   size_.z = layers_;
   size_.w = layers_ * ((count + columns * columns - 1) / (columns * columns));
   for (int i = 0; i < int(maps.size()); ++i) {
-    maps[i].atlasOffset = {side * (i % columns), side * (i / columns % columns), layers_ * (i / (columns * columns)), 0};
+    maps[i].atlasOffset = {side * (i % columns), side * (i / columns % columns), layers_ * (i / (columns * columns)),
+                           0};
     maps[i].firstTexel = shared::uint(i) * shared::uint(side) * shared::uint(side);
   }
   const std::size_t nodes = poolSize(device_, std::size_t(size_.x) * size_.y * size_.w);
   if (nodes > 0xffffffffu)
-    throw DeviceError("the atlas needs " + std::to_string(nodes) + " nodes, more than 2^32; take smaller maps, a larger "
+    throw DeviceError("the atlas needs " + std::to_string(nodes) +
+                      " nodes, more than 2^32; take smaller maps, a larger "
                       "tolerance or another memory strategy");
   if (nodes_.size() != nodes) {
     nodes_ = {};

@@ -38,7 +38,8 @@ class MemoryStrategy {
   /// Path of the kernel file.
   virtual const char* kernelFile() const = 0;
 
-  /// Makes room for these maps and says in each where its part of the bookkeeping is. Throws DeviceError if that is too much.
+  /// Makes room for these maps and says in each where its part of the bookkeeping is. Throws DeviceError if that is too
+  /// much.
   virtual void reserve(std::vector<shared::MapData>& maps) = 0;
   virtual void beginMap() = 0;
   /// Says in `map` where its nodes are. Unless it is complete, the reason goes to `why`.

@@ -28,10 +28,10 @@ shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& de
 ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
                           const device::Buffer<shared::LightData>& lights,
                           const technique::ShadowTechnique& technique) {
-  using ShadeKernel = device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
-                                     device::Buffer<shared::LightData>, device::Buffer<shared::float4>,
-                                     device::Buffer<std::uint32_t>, shared::TechniqueParams, device::ArgumentList,
-                                     device::ArgumentList>;
+  using ShadeKernel =
+      device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                     device::Buffer<shared::LightData>, device::Buffer<shared::float4>, device::Buffer<std::uint32_t>,
+                     shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
   const shared::ViewData& view = layers.view;
   const std::size_t pixels = std::size_t(view.width) * view.height;
   if (image_.size() != pixels) {
@@ -39,9 +39,8 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
     image_ = device::Buffer<shared::float4>(device_, pixels, "image");
     samples_ = device::Buffer<std::uint32_t>(device_, pixels, "samples per pixel");
   }
-  ShadeKernel shadePixels(device_,
-                          build::sceneProgram(device_, deviceScene, "render/shade.cl", technique.kernelFiles()),
-                          "shadePixels");
+  ShadeKernel shadePixels(
+      device_, build::sceneProgram(device_, deviceScene, "render/shade.cl", technique.kernelFiles()), "shadePixels");
   const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
   shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, shadeParams(scene, deviceScene, view), layers.fragments,
               layers.ranges, lights, image_, samples_, technique.params(scene), technique.arguments(),

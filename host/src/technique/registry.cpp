@@ -42,8 +42,7 @@ const TechniqueEntry kTechniques[] = {
     {"shadow-rays", [](const ShadowSettings&, device::Device& device) { return std::make_unique<ShadowRays>(device); }},
     {"deep-shadow-map",
      [](const ShadowSettings& settings, device::Device& device) {
-       return std::make_unique<DeepShadowMap>(device,
-                                              find(kMemories, settings.memory, "memory strategy").make(device));
+       return std::make_unique<DeepShadowMap>(device, find(kMemories, settings.memory, "memory strategy").make(device));
      }},
 };
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes of 16 x 16 pixels and texels at most, small enough for an interpreter of kernels, and what must hold for any
+// of them.
+#pragma once
+
+#include <string>
+
+#include <cdsm/cdsm.hpp>
+
+namespace cdsm::devices {
+
+/// A shaded volume, an interior medium, a translucent sheet, an opaque floor; the eye and the light are outside.
+Scene everythingScene();
+/// One smooth volume alone: the paths that skip empty cells and shade in batches.
+Scene volumeScene(VoxelType type);
+/// A volume that a mesh cuts, seen from inside of the mesh.
+Scene cutScene();
+/// Many sheets: more nodes than the first chunks and layers have room for.
+Scene stackScene();
+
+Scene along(Scene scene, const std::string& technique, const std::string& memory, const std::string& filter);
+
+/// Renders the scene and asks for light "key" at some points; all must be numbers in their range. Returns the bytes of
+/// both.
+std::string expectSound(Engine& engine, const Scene& scene);
+
+}  // namespace cdsm::devices
