@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tool tells people on stderr while it works: warnings, and progress where somebody is watching.
+// What the tool tells people on stderr while it works: progress, where somebody is watching.
 #pragma once
 
 #include <chrono>
@@ -8,15 +8,13 @@
 namespace cdsm::cli {
 
 /// Progress is one line that is written over, and gone when the object is; it appears only on a terminal, when not
-/// quiet, and after a second of work. Warnings are lines that stay, unless quiet. For one thread.
+/// quiet, and after a second of work. For one thread.
 class Console {
  public:
   explicit Console(bool quiet);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
-
-  void warn(const std::string& message);
 
   /// `done` of this step in [0, 1].
   void progress(const std::string& step, float done);

@@ -23,6 +23,7 @@ void render(const RenderOptions& options) {
   if (!options.frames.empty()) throw UsageError("'--frames' is not supported yet");
   const std::string image = options.image.empty() ? defaultImage(options.scene) : options.image;
   io::checkImagePath(image);
+  requireDistinctFiles({options.scene, image, options.stats});
   SceneRun run(options);
   io::writeImage(image, run.engine().render(run.scene()));
   run.writeStats();

@@ -2,10 +2,13 @@
 // Options, scene and engine of a command, in the order in which they can fail cheapest.
 #include "scene_run.hpp"
 
+#include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <cdsm/error.hpp>
 
+#include "commands.hpp"
 #include "engine/stats_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scene_file.hpp"
@@ -23,7 +26,6 @@ EngineOptions engineOptions(const SceneOptions& options, Console& console) {
   EngineOptions engine;
   engine.device = options.device;
   engine.fetch = options.fetch;
-  engine.warning = [&console](const std::string& message) { console.warn(message); };
   engine.progress = [&console](const std::string& step, float done) { console.progress(step, done); };
   return engine;
 }
@@ -45,7 +47,18 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--fetch", options.fetch, "How volumes and maps are read [auto]")
       ->check(CLI::IsMember({"auto", "buffer", "image"}));
   command.add_option("--stats", options.stats, "Write times and memory as JSON");
-  command.add_flag("--quiet", options.quiet, "No warnings, no progress");
+  command.add_flag("--quiet", options.quiet, "No progress");
+}
+
+void requireDistinctFiles(const std::vector<std::string>& paths) {
+  std::set<std::filesystem::path> files;
+  for (const std::string& path : paths) {
+    if (path.empty() || path == "-") continue;
+    std::error_code failed;
+    const std::filesystem::path file = std::filesystem::weakly_canonical(path, failed);
+    if (!files.insert(failed ? std::filesystem::path(path) : file).second)
+      throw UsageError("'" + path + "' is named twice, must be different files for inputs and results");
+  }
 }
 
 SceneRun::SceneRun(const SceneOptions& options)

@@ -25,6 +25,10 @@ struct SceneOptions {
 /// Adds SCENE, --set, --device, --fetch, --stats and --quiet. `options` must live until the command has run.
 void addSceneOptions(CLI::App& command, SceneOptions& options);
 
+/// Throws UsageError if two of the paths lead to the same file: a result must replace neither an input nor another
+/// result. Empty paths and "-" stand for no file.
+void requireDistinctFiles(const std::vector<std::string>& paths);
+
 /// A scene that was read and the engine to work on it. Making one checks the statistics' path before all else.
 class SceneRun {
  public:

@@ -22,6 +22,7 @@ struct TransmittanceOptions : SceneOptions {
 
 void answer(const TransmittanceOptions& options) {
   if (options.output != kStandardOutput) io::checkOutputPath(options.output);
+  requireDistinctFiles({options.scene, options.points, options.output, options.stats});
   const std::vector<glm::vec3> points = io::readPoints(options.points);
   SceneRun run(options);
   io::writeTransmittances(options.output, points, run.engine().transmittance(run.scene(), options.light, points));

@@ -16,7 +16,8 @@ typedef struct LightRay {
   float partsPerTau;  // of a step, see absorb()
 } LightRay;
 
-/// A step so dense that a straight line would miss the exponential by more than the tolerance (tau^2 / 8).
+/// A step so dense that a straight line would miss the exponential by more than the tolerance (tau^2 / 8). Behind 16 parts nothing
+/// is left that the tolerance would miss.
 void absorbInParts(LightRay* r, float from, float to, float tau) {
   int parts = (int)clamp(ceil(tau * r->partsPerTau), 1.0f, 16.0f);
   float factor = transmittanceOf(tau / (float)parts), spacing = (to - from) / (float)parts;
@@ -44,7 +45,7 @@ CDSM_INLINE void absorbBatch(LightRay* r, const Steps* steps, int i, int count, 
   for (int k = 0; k < count && r->transmittance > 0.0f; ++k) {
     if (depths[k] <= 0.0f) continue;
     float from = steps->start + (float)(i + k) * steps->spacing;
-    absorb(r, from, from + steps->spacing, depths[k], factors[k]);
+    absorb(r, from, steps->start + (float)(i + k + 1) * steps->spacing, depths[k], factors[k]);
   }
 }
 
@@ -79,7 +80,7 @@ void marchMedia(LightRay* r, SceneAccess scene, const SegmentWalk* walk, const S
     if (extinction <= 0.0f) continue;
     float from = steps->start + (float)i * steps->spacing;
     float tau = extinction * steps->length;
-    absorb(r, from, from + steps->spacing, tau, transmittanceOf(tau));
+    absorb(r, from, steps->start + (float)(i + 1) * steps->spacing, tau, transmittanceOf(tau));
     if (r->transmittance == 0.0f) return;
   }
 }

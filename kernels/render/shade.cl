@@ -31,6 +31,7 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
     passFragment(&walk, scene);
   }
   if (r.transparency <= CDSM_OPAQUE) r.transparency = 0.0f;
-  image[y * params.view.width + x] = (float4)(r.color, 1.0f - r.transparency);
-  samples[y * params.view.width + x] = r.samples;
+  size_t at = (size_t)y * (size_t)params.view.width + (size_t)x;
+  image[at] = (float4)(r.color, 1.0f - r.transparency);
+  samples[at] = r.samples;
 }

@@ -9,7 +9,7 @@ CDSM_SHARED_BEGIN
 typedef struct LightData {
   float4 position;   ///< world
   float4 axis;       ///< unit, the way the light travels; w: cosine of the cutoff angle
-  float4 color;
+  float4 color;      ///< linear RGB
   uint firstMap;
   uint mapCount;
   uint padding0, padding1;

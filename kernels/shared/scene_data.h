@@ -44,6 +44,9 @@ CDSM_SIZE(MediumData, 144);
 /// Edge of a macrocell in voxels. A cell's bounds cover its 8 + 1 voxels per axis: all that its samples interpolate.
 #define CDSM_MACROCELL 8
 
+/// Steps that a ray may take in one segment; the host refuses scenes that would need more.
+#define CDSM_MOST_STEPS 1048576
+
 /// Cells of one volume and the table of its transfer function, for classifying them.
 typedef struct CellParams {
   int4 cells;  ///< along x, y, z; w: offset of the first one

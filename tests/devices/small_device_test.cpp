@@ -32,7 +32,7 @@ class SmallDevice : public ::testing::Test {
       EXPECT_TRUE(std::regex_search(message, std::regex("[0-9]{7,}"))) << "no number of bytes: " << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
-    EXPECT_EQ(expectSound(engine_, scene_), before);
+    EXPECT_TRUE(expectSound(engine_, scene_) == before) << "the small scene looks different now";
   }
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 class TinyEngine : public ::testing::TestWithParam<const char*> {
  protected:
-  Engine engine_{EngineOptions{"", GetParam(), {}, {}}};
+  Engine engine_{EngineOptions{"", GetParam(), {}}};
 };
 
 TEST_P(TinyEngine, everythingByMaps) {

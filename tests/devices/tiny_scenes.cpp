@@ -80,6 +80,12 @@ Scene along(Scene scene, const std::string& technique, const std::string& memory
   return scene;
 }
 
+Engine engineFor(const std::string& fetch) {
+  EngineOptions options;
+  options.fetch = fetch;
+  return Engine(options);
+}
+
 std::string expectSound(Engine& engine, const Scene& scene) {
   const Image image = engine.render(scene);
   EXPECT_EQ(image.pixels.size(), std::size_t(scene.image.width) * scene.image.height);

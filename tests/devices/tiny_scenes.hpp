@@ -20,6 +20,9 @@ Scene stackScene();
 
 Scene along(Scene scene, const std::string& technique, const std::string& memory, const std::string& filter);
 
+/// An engine on the device at hand that fetches as "buffer" or "image".
+Engine engineFor(const std::string& fetch);
+
 /// Renders the scene and asks for light "key" at some points; all must be numbers in their range. Returns the bytes of
 /// both.
 std::string expectSound(Engine& engine, const Scene& scene);

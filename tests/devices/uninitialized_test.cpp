@@ -34,7 +34,7 @@ class Uninitialized : public ::testing::TestWithParam<std::tuple<std::size_t, co
 
   std::string bytesWith(unsigned char poison) {
     poisonNewBuffers(poison);
-    Engine engine(EngineOptions{"", std::get<1>(GetParam()), {}, {}});
+    Engine engine = engineFor(std::get<1>(GetParam()));
     return expectSound(engine, cases()[std::get<0>(GetParam())].scene);
   }
 };

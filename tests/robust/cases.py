@@ -206,6 +206,9 @@ USAGE = [
     usage("unknown fetch path", "--fetch", RENDER + ["--fetch", "magic"]),
     usage("override without a value", "must be KEY=VALUE", RENDER + ["--set", "image.width"]),
     usage("query without points", "--points is required", ["transmittance", "scene.toml", "--light", "key"]),
+    usage("statistics over the image", "'./out.png' is named twice", replaced(RENDER, "stats.json", "./out.png")),
+    usage("statistics over the scene", "'scene.toml' is named twice", replaced(RENDER, "stats.json", "scene.toml")),
+    usage("answers over the points", "'points.csv' is named twice", replaced(QUERY, "out.csv", "points.csv")),
     usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
     usage(
         "unsupported command with options",

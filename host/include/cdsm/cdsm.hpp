@@ -36,7 +36,6 @@ std::vector<DeviceDescription> listDevices();
 struct EngineOptions {
   std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
   std::string fetch = "auto";  ///< auto | buffer | image
-  std::function<void(const std::string&)> warning;                    ///< told once per oddity; may be empty
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
 };
 

@@ -10,6 +10,7 @@
 #include "build/transfer_table.hpp"
 #include "device/program.hpp"
 #include "scene/closed_mesh.hpp"
+#include "scene/range.hpp"
 
 namespace cdsm::build {
 
@@ -183,6 +184,17 @@ void DeviceScene::update(const Scene& scene) {
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) addBox(scene, i);
   upload();
   for (const shared::MediumData& medium : hostMedia_) classify(medium);
+  requireSteps();
+}
+
+void DeviceScene::requireSteps() const {
+  float step = interiorStep_;
+  for (const shared::MediumData& medium : hostMedia_)
+    if (medium.size.w >= 0) step = std::min(step, medium.step);
+  const float least = bounds_.diagonal() / float(CDSM_MOST_STEPS);
+  if (!hostMedia_.empty() && step < least)
+    throw Error("the ray step is " + scene::formatNumber(step) + " world units, must be at least " +
+                scene::formatNumber(least) + " in a scene of this size");
 }
 
 void DeviceScene::upload() {
@@ -239,16 +251,16 @@ std::vector<std::uint32_t> DeviceScene::objectsAround(const glm::vec3& pointWorl
   for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
     if (!hostObjects_[i].encloses) continue;
     const int mesh = objectMesh_[i];
-    bool inside = false;
+    long times = 0;
     if (mesh >= 0) {
       const Mesh& m = scene_.meshes[mesh];
-      inside = std::abs(scene::windingNumber(*m.data, m.worldFromObject, pointWorld)) > 0.5;
+      times = std::lround(std::abs(scene::windingNumber(*m.data, m.worldFromObject, pointWorld)));
     } else {
       const glm::dmat4 unitFromWorld = glm::inverse(glm::dmat4(worldFromUnitCube(scene_.volumes[-1 - mesh])));
       const glm::dvec3 p(unitFromWorld * glm::dvec4(pointWorld, 1.0));
-      inside = glm::all(glm::greaterThan(p, glm::dvec3(0.0))) && glm::all(glm::lessThan(p, glm::dvec3(1.0)));
+      times = glm::all(glm::greaterThan(p, glm::dvec3(0.0))) && glm::all(glm::lessThan(p, glm::dvec3(1.0)));
     }
-    if (inside) around.push_back(std::uint32_t(i));
+    around.insert(around.end(), std::size_t(times), std::uint32_t(i));
   }
   return around;
 }
@@ -259,13 +271,6 @@ std::vector<std::uint32_t> DeviceScene::objectsOfMedia() const {
     for (unsigned k = 0; k < hostObjects_[i].mediumCount; ++k)
       objects[mediumLists_[hostObjects_[i].firstMedium + k]] = std::uint32_t(i);
   return objects;
-}
-
-float DeviceScene::smallestStep() const {
-  float step = INFINITY;
-  for (const shared::MediumData& medium : hostMedia_)
-    if (medium.size.w >= 0) step = std::min(step, medium.step);
-  return std::isinf(step) ? 0.0f : step;
 }
 
 }  // namespace cdsm::build

@@ -29,7 +29,7 @@ class DeviceScene {
   /// Arguments of CDSM_SCENE_PARAMS, in its order. `initialObjects`: the objects that contain the eye of the view.
   device::ArgumentList arguments(const device::Buffer<std::uint32_t>& initialObjects) const;
 
-  /// Objects with media whose inside `pointWorld` is in.
+  /// Objects with media whose inside `pointWorld` is in; one that winds around it n times is listed n times.
   std::vector<std::uint32_t> objectsAround(const glm::vec3& pointWorld) const;
 
   /// Host copies, for techniques that build structures of their own.
@@ -44,8 +44,6 @@ class DeviceScene {
   const scene::Bounds& bounds() const { return bounds_; }
   /// Ray step where a ray is in constant media only: fine enough for shadows in them and for their own fall-off.
   float interiorStep() const { return interiorStep_; }
-  /// Smallest ray step of any volume; 0 without volumes.
-  float smallestStep() const;
 
  private:
   void clear();
@@ -54,6 +52,8 @@ class DeviceScene {
   void addVolumeMedium(const Scene& scene, const Volume& volume);
   void addTriangles(const MeshData& data, unsigned object, bool flip);
   void upload();
+  /// Throws Error for a ray step that would need more steps across the scene than a ray may take.
+  void requireSteps() const;
   void classify(const shared::MediumData& medium);
 
   device::Device& device_;

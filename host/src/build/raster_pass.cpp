@@ -43,8 +43,6 @@ RasterPass::RasterPass(device::Device& device)
   name(layers_.ranges, "fragment ranges");
 }
 
-std::size_t RasterPass::screenCount() const { return screen_.size(); }
-
 void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report) {
   const std::size_t triangles = scene.triangles().size();
   screen_.reserve(triangles + 64);
@@ -67,7 +65,7 @@ void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, c
 void RasterPass::countTiles(const shared::ViewData& view) {
   tilePairs_.fill(0);
   tileFragments_.fill(0);
-  countPairs_({"count tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
+  countPairs_({"count tile pairs", {screen_.size()}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
               tileFragments_);
   countPairsLarge_({"count tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
                    counters_, large_, tilePairs_, tileFragments_);
@@ -75,8 +73,8 @@ void RasterPass::countTiles(const shared::ViewData& view) {
 
 void RasterPass::fillTiles(const shared::ViewData& view) {
   tileCursor_.fill(0);
-  fillPairs_({"fill tile pairs", {screenCount()}, {kGroup}}, params_, view, screen_, counters_, tileStart_, tileCursor_,
-             masks_, owners_);
+  fillPairs_({"fill tile pairs", {screen_.size()}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
+             tileCursor_, masks_, owners_);
   fillPairsLarge_({"fill tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
                   counters_, large_, tileStart_, tileCursor_, masks_, owners_);
 }

@@ -40,7 +40,6 @@ class RasterPass {
   void setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report);
   void countTiles(const shared::ViewData& view);
   void fillTiles(const shared::ViewData& view);
-  std::size_t screenCount() const;
 
   device::Device& device_;
   device::Scan scan_;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kLeastEntries = 1024;
 constexpr int kMostEntries = 8192;
+constexpr int kMostWhole = 65536;  ///< of 16-bit data every value has an entry
 
 /// Linear between the points, constant outside; at a step the value after it.
 template <class Point, class Value>
@@ -30,7 +31,8 @@ bool wholeValues(const std::vector<Point>& points) {
 
 /// Intervals of the table: a multiple of the span where all points have whole values, so that none falls in between.
 int intervals(const TransferFunction& transfer, float span) {
-  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.color) || span > kMostEntries) return kMostEntries;
+  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.color)) return kMostEntries;
+  if (span > kMostWhole) return kMostWhole;
   const int whole = int(span);
   return whole * std::max(1, (kLeastEntries + whole - 1) / whole);
 }

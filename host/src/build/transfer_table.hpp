@@ -20,7 +20,9 @@ struct TransferTable {
 /// Extinction -ln(1 - a) / unitDistance of an opacity, which is capped at 0.9999 [INTERFACE, 4.2].
 float extinctionOf(float opacity, float unitDistance);
 
-/// Points with whole values lie on entries of the table; otherwise 8192 entries bound the error. `transfer` is valid.
+/// Points with whole values, spanning at most 65536, lie on entries of the table. Others may fall between two of 8192
+/// entries (65536 for whole values): the table is then off near the point by what the function bends within one entry.
+/// `transfer` is valid.
 TransferTable makeTransferTable(const TransferFunction& transfer);
 
 }  // namespace cdsm::build

@@ -71,6 +71,10 @@ const char* voxelTypeName(VoxelType type) {
 }
 
 std::shared_ptr<VoxelSlot> VolumeSlots::makeSlot(const std::shared_ptr<const VolumeData>& data) {
+  const std::uint64_t voxels = std::uint64_t(data->size.x) * data->size.y * data->size.z;
+  if (voxels > 0x7fffffffu)
+    throw DeviceError("a volume has " + std::to_string(voxels) +
+                      " voxels, more than 2^31 - 1; cut it into several volumes");
   auto slot = std::make_shared<VoxelSlot>();
   slot->data = data;
   slot->voxels = device::Buffer<std::byte>::fromHost(device_, data->voxels, "voxels");

@@ -41,7 +41,6 @@ class VolumeSlots {
 
   int slotOf(const VolumeData* data) const { return numbers_.at(data); }
   const VoxelSlot& slot(int number) const { return *slots_[number]; }
-  std::size_t size() const { return slots_.size(); }
 
   /// The file "generated/volume_slots.clh" for these slots.
   std::string kernelFile() const;

@@ -11,7 +11,7 @@
 namespace cdsm::device {
 
 struct ProgramSource {
-  std::string entry;  ///< path relative to kernels/, e.g. "build/fragment.cl"; may be a generated file
+  std::string entry;  ///< path relative to kernels/, e.g. "build/build_map.cl"; may be a generated file
   /// NAME, value. A value in quotes is a path for `#include NAME`; others become `#define NAME value`, an empty one 1.
   std::vector<std::pair<std::string, std::string>> defines;
   std::map<std::string, std::string> generated;  ///< path, text: files that exist in no folder; they win over others

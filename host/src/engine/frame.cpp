@@ -43,8 +43,7 @@ Image FrameState::render(const Scene& scene) {
   const float nearDepth = std::max(kNearPart * deviceScene_.bounds().diagonal(), 1e-20f);
   const shared::ViewData view =
       scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
-  build::Layers& layers =
-      raster_.run(deviceScene_, view, [&](const std::string& what) { stats_.reports.push_back(what); });
+  build::Layers& layers = raster_.run(deviceScene_, view, [this](const std::string& what) { report(what); });
   const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
   stats_.shadedSamples = shaded.shadedSamples;
   Image image = resolve(shaded.pixels, scene.image);
@@ -89,7 +88,7 @@ void FrameState::prepareTechnique(const Scene& scene) {
   technique_.reset();
   technique_ = technique::makeTechnique(scene.shadows, *device_);
   device_->profiler().beginGroup("build maps");
-  technique_->prepare(scene, deviceScene_, raster_, [&](const std::string& what) { stats_.reports.push_back(what); });
+  technique_->prepare(scene, deviceScene_, raster_, [this](const std::string& what) { report(what); });
 }
 
 void FrameState::uploadLights(const Scene& scene) {
@@ -105,6 +104,7 @@ void FrameState::beginStats() {
   begun_ = std::chrono::steady_clock::now();
   stats_ = {};
   device_->profiler().reset();
+  device_->profiler().beginGroup("upload");
 }
 
 void FrameState::finishStats(const Scene& scene) {
@@ -117,6 +117,8 @@ void FrameState::finishStats(const Scene& scene) {
   technique_->addStats(scene, regenerated_, stats_);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
 }
+
+void FrameState::report(const std::string& what) { stats_.reports.push_back(what); }
 
 void FrameState::progress(const char* step, float done) const {
   if (options_.progress) options_.progress(step, done);

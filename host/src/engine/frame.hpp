@@ -39,6 +39,7 @@ class FrameState {
   void uploadLights(const Scene& scene);
   void beginStats();
   void finishStats(const Scene& scene);
+  void report(const std::string& what);
   void progress(const char* step, float done) const;
 
   EngineOptions options_;

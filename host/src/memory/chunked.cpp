@@ -17,6 +17,9 @@ Chunked::Chunked(device::Device& device)
 
 void Chunked::reserveChunks(std::size_t chunks) {
   if (chunks <= chunkNext_.size()) return;
+  if (chunks > 0xffffffffu / CDSM_CHUNK_NODES)
+    throw DeviceError("a map needs " + std::to_string(chunks) +
+                      " chunks, more than 2^29; take smaller maps or a larger tolerance");
   chunkDepths_ = {};
   chunkValues_ = {};
   chunkNext_ = {};
@@ -32,6 +35,9 @@ void Chunked::reserve(std::vector<shared::MapData>& maps) {
     map.firstTexel = shared::uint(entries);
     entries += std::size_t(map.width) * map.height + 1;
   }
+  if (entries > 0xffffffffu)
+    throw DeviceError("the lookup table needs " + std::to_string(entries) +
+                      " entries, more than 2^32; take smaller maps or fewer lights");
   starts_ = {};
   starts_ = Uints(device_, entries, "lookup table");
   firstChunks_ = Uints(device_, texels, "first chunks of texels");
@@ -46,6 +52,7 @@ void Chunked::reserve(std::vector<shared::MapData>& maps) {
 void Chunked::beginMap() { counters_.fill({}); }
 
 void Chunked::growPool(std::size_t nodes, std::size_t kept) {
+  ++nodes;  // one more: a texel without nodes reads the one behind its place, and ignores it
   if (poolSize(device_, nodes) <= pool_.size()) return;
   if (nodes > 0xffffffffu)
     throw DeviceError("the maps need " + std::to_string(nodes) +
@@ -56,7 +63,8 @@ void Chunked::growPool(std::size_t nodes, std::size_t kept) {
 }
 
 MapOutcome Chunked::finishMap(std::size_t index, shared::MapData& map, std::string& why) {
-  const std::size_t chunks = counters_.read(0).chunks, room = chunkNext_.size();
+  const shared::BuildCounters counters = counters_.read(0);
+  const std::size_t chunks = counters.chunks, room = chunkNext_.size();
   if (chunks > room) {
     why = "room for chunks grown from " + std::to_string(room) + " to " + std::to_string(chunks) + "; map built again";
     reserveChunks(chunks);
@@ -69,20 +77,27 @@ MapOutcome Chunked::finishMap(std::size_t index, shared::MapData& map, std::stri
   gatherNodes_({"gather nodes", {texels}, {64}}, std::uint32_t(texels), map.firstNode, mapStarts_, firstChunks_,
                chunkNext_, chunkDepths_, chunkValues_, pool_);
   device::copyElements(device_, mapStarts_, texels + 1, starts_, map.firstTexel);
-  const std::vector<std::uint32_t> counts = nodeCounts_.download(texels);
-  totals_[index] = {nodes, counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end())};
+  totals_[index] = {nodes, counters.maxNodes};
   usedNodes_ += nodes;
   chunksUsed_ += chunks;
   return MapOutcome::Complete;
 }
 
 void Chunked::finish() {
-  if (pool_.size() > poolSize(device_, usedNodes_)) {
-    Nodes exact(device_, poolSize(device_, usedNodes_), "pool of nodes");
+  growPool(usedNodes_, usedNodes_);
+  const std::size_t exactSize = poolSize(device_, usedNodes_ + 1);
+  if (pool_.size() > exactSize) {
+    Nodes exact(device_, exactSize, "pool of nodes");
     device::copyElements(device_, pool_, usedNodes_, exact, 0);
     pool_ = std::move(exact);
   }
   readable_.finish(device_, pool_);
+  chunkDepths_ = {};
+  chunkValues_ = {};
+  chunkNext_ = {};
+  firstChunks_ = {};
+  nodeCounts_ = {};
+  mapStarts_ = {};
 }
 
 shared::MemoryParams Chunked::params() const {

@@ -34,8 +34,9 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
                      shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
   const shared::ViewData& view = layers.view;
   const std::size_t pixels = std::size_t(view.width) * view.height;
-  if (image_.size() != pixels) {
+  if (image_.size() != pixels || samples_.size() != pixels) {
     image_ = {};
+    samples_ = {};
     image_ = device::Buffer<shared::float4>(device_, pixels, "image");
     samples_ = device::Buffer<std::uint32_t>(device_, pixels, "samples per pixel");
   }

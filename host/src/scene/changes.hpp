@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What differs between two scenes, in the terms of what has to be made again [Knecht 2011, §3.2].
+// What differs between two scenes, in the terms of what has to be made again [Knecht 2011, §3.2, §3.4.3].
 #pragma once
 
 #include <cdsm/scene.hpp>
