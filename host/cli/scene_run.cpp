@@ -55,8 +55,9 @@ void requireDistinctFiles(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     if (path.empty() || path == "-") continue;
     std::error_code failed;
-    const std::filesystem::path file = std::filesystem::weakly_canonical(path, failed);
-    if (!files.insert(failed ? std::filesystem::path(path) : file).second)
+    const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
+    const std::filesystem::path file = std::filesystem::weakly_canonical(absolute, failed);
+    if (!files.insert(failed ? absolute : file).second)
       throw UsageError("'" + path + "' is named twice, must be different files for inputs and results");
   }
 }

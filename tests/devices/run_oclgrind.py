@@ -8,6 +8,7 @@ into copies of the kernels, and each must be found: a check that finds nothing h
 test Uninitialized of device_tests looks for the same by other means."""
 import argparse
 import pathlib
+import re
 import shutil
 import tempfile
 
@@ -16,12 +17,11 @@ import job
 TIMEOUT_SECONDS = 240
 FORCED_INLINE = "static inline __attribute__((always_inline))"
 
-# file, what stands there, what is planted instead, what oclgrind says to it
+# file, what stands there (a pattern), what is planted instead, what oclgrind says to it
 FAULTS = [
-    ("render/shade.cl", "image[y * params.view.width + x] =", "image[(y + 1) * params.view.width + x] =",
-     "Invalid write"),
-    ("build/rasterize.cl", "atomic_inc(&tilePairs[tile]);", "++tilePairs[tile];", "race"),
-    ("build/scan.cl", "sums[count] = sum", "sums[count + 1] = sum", "Invalid write"),
+    ("render/shade.cl", r"image\[(.+?)\] = ", r"image[(\1) + params.view.width] = ", "Invalid write"),
+    ("build/rasterize.cl", r"atomic_inc\(&tilePairs\[tile\]\);", r"++tilePairs[tile];", "race"),
+    ("build/scan.cl", r"sums\[count\] = sum", r"sums[count + 1] = sum", "Invalid write"),
 ]
 
 
@@ -35,10 +35,10 @@ def copy_kernels(kernels, folder):
 
 def plant(folder, fault):
     path = folder / fault[0]
-    text = path.read_text()
-    if fault[1] not in text:
+    text, count = re.subn(fault[1], fault[2], path.read_text())
+    if count == 0:
         job.fail(f"the fault for {fault[0]} cannot be planted: '{fault[1]}' is no longer there, choose another place")
-    path.write_text(text.replace(fault[1], fault[2]))
+    path.write_text(text)
 
 
 def findings(tests, kernels, work, tests_filter):
