@@ -6,26 +6,33 @@
 
 CDSM_SHARED_BEGIN
 
+/// From a point p the way to the light is position.xyz - position.w * p.
 typedef struct LightData {
-  float4 position;   ///< world
-  float4 axis;       ///< unit, the way the light travels; w: cosine of the cutoff angle
+  float4 position;   ///< spot, omni: world, w = 1; directional: unit, towards the light, w = 0
+  float4 axis;       ///< of a spot's cone: unit, w: cosine of the cutoff angle; 0 where all is lit
   float4 color;      ///< linear RGB
   uint firstMap;
   uint mapCount;
-  uint padding0, padding1;
+  uint type;         ///< CDSM_LIGHT_...
+  float front;       ///< directional: dot(position.xyz, p) of a plane that the whole scene lies behind
 } LightData;
 CDSM_SIZE(LightData, 64);
+
+#define CDSM_LIGHT_SPOT 0u
+#define CDSM_LIGHT_OMNI 1u         /* six maps, towards +x, -x, +y, -y, +z, -z: a point is looked up in one of them */
+#define CDSM_LIGHT_DIRECTIONAL 2u
 
 /// One deep shadow map: where a point lands in it and where its texels' nodes are kept.
 typedef struct MapData {
   float4 texelU, texelV, texelW, depth;  ///< as ViewData's rows
-  float4 dir, dirU, dirV;                ///< rays per texel, as ViewData's
+  float4 origin, originU, originV;       ///< rays per texel, as ViewData's
+  float4 dir, dirU, dirV;
   int4 atlasOffset;                      ///< atlas: x, y, layer [Knecht 2011, eq. 4.7]
   int width, height;                     ///< texels
   uint firstTexel;                       ///< of this map in the lookup table
   uint firstNode;                        ///< chunked: of this map in the pool of nodes
 } MapData;
-CDSM_SIZE(MapData, 144);
+CDSM_SIZE(MapData, 192);
 
 /// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between.
 typedef float2 Node;

@@ -84,13 +84,41 @@ Scene mediumAndCut() {
   return scene;
 }
 
+/// A lamp between smoke and spheres, a spot from the side, sunlight from behind.
+Scene threeKindsOfLights() {
+  Scene scene = smokeOverFloor();
+  scene.volumes.front().shading = true;
+  scene.volumes.front().specular = glm::vec3(0.2f);
+  scene.volumes.front().shininess = 8.0f;
+  scene.volumes.front().worldFromObject = moved(-0.4f, 0.0f, 0.0f);
+  const int shiny = addMaterial(scene, {0.8f, 0.4f, 0.2f}, 1.0f);
+  scene.materials[static_cast<std::size_t>(shiny)].specular = glm::vec3(0.4f);
+  scene.materials[static_cast<std::size_t>(shiny)].shininess = 20.0f;
+  addMesh(scene, sphereMesh(0.4f, 32, 16, true), shiny, moved(1.0f, -0.4f, 0.3f));
+  addMesh(scene, sphereMesh(0.3f, 24, 12, true), addMaterial(scene, {0.4f, 0.6f, 0.9f}, 0.4f),
+          moved(0.3f, -0.5f, 1.2f));
+  scene.lights.front().color = glm::vec3(0.4f);
+  Light lamp, sun;
+  lamp.name = "lamp";
+  lamp.type = LightType::Omni;
+  lamp.position = {0.35f, 0.1f, 0.4f};
+  lamp.color = {0.6f, 0.5f, 0.4f};
+  sun.name = "sun";
+  sun.type = LightType::Directional;
+  sun.direction = {1.0f, -2.0f, 1.2f};
+  sun.color = {0.3f, 0.35f, 0.4f};
+  scene.lights.insert(scene.lights.end(), {lamp, sun});
+  return scene;
+}
+
 }  // namespace
 
 std::vector<ImageScene> imageScenes() {
   return {{"SmokeOverFloor", smokeOverFloor()},
           {"SpheresUnderSheet", spheresUnderSheet()},
           {"ShadedVolumes", shadedVolumes()},
-          {"MediumAndCut", mediumAndCut()}};
+          {"MediumAndCut", mediumAndCut()},
+          {"ThreeKindsOfLights", threeKindsOfLights()}};
 }
 
 }  // namespace cdsm::images

@@ -15,7 +15,7 @@ struct ImageScene {
 };
 
 /// Smoke over a floor; spheres under a translucent sheet; overlapping shaded volumes under two lights; a filled sphere
-/// beside a volume that a mesh cuts.
+/// beside a volume that a mesh cuts; smoke and spheres under a spot, an omni and a directional light.
 std::vector<ImageScene> imageScenes();
 
 }  // namespace cdsm::images

@@ -45,11 +45,9 @@ class Laws : public ::testing::TestWithParam<std::uint32_t> {
 /// Transmittances along the ray through a texel's centre, from close to the light to behind everything.
 std::vector<Transmittance> alongTexel(const Path& path, const Scene& scene, int column, int row) {
   const Light& light = scene.lights.front();
-  const glm::dvec3 direction = LightFrame(light, kMapSize).texelDirection(column, row);
+  const reference::Ray ray = LightFrame(scene, light, kMapSize).texelRay(column, row);
   std::vector<glm::vec3> points;
-  for (int i = 0; i < 300; ++i) {
-    points.emplace_back(glm::dvec3(light.position) + (0.01 + 0.035 * i) * direction);
-  }
+  for (int i = 0; i < 300; ++i) points.emplace_back(ray.at(0.01 + 0.036 * i));
   return query(path, scene, points, light.name);
 }
 

@@ -51,11 +51,14 @@ bool atSurface(const Visibility& v, double depth) {
   return false;
 }
 
-/// Smoke, a blob that overlaps it, a translucent sheet inside of both, seen at a slant.
-Scene cloudyScene() {
+/// Smoke, a blob that overlaps it, a translucent sheet inside of both, seen at a slant; by an omni light, on its map
+/// towards -y.
+Scene cloudyScene(LightType type = LightType::Spot) {
   Scene scene = reference::emptyScene();
   Light& light = scene.lights.front();
+  light.type = type;
   light.position = {1.5f, 3.5f, 1.0f};
+  light.direction = {-0.5f, -1.0f, -0.3f};
   light.cutoff = 16.0f;
   reference::addVolume(
       scene, reference::makeVolume(VoxelType::UInt8, glm::uvec3(20), glm::vec3(-1), glm::vec3(1), reference::smoke),
@@ -79,16 +82,17 @@ struct TexelRay {
 
 /// The ray through one texel's centre with points at dense depths, those at surfaces left out.
 TexelRay texelRay(const reference::World& world, int column, int row) {
-  const Light& light = world.scene.lights.front();
-  const glm::dvec3 direction = LightFrame(light, kMapSize).texelDirection(column, row);
-  TexelRay ray{reference::visibility(world, light, direction), {}, {}};
+  const LightFrame frame(world.scene, world.scene.lights.front(), kMapSize);
+  const reference::Ray line = frame.texelRay(column, row);
+  const double depthPerT = frame.depthPerT(column, row);
+  TexelRay ray{reference::visibility(world, line, depthPerT), {}, {}};
   const double first = 0.5 * ray.visibility[1].first;
   const double last = ray.visibility.back().first + 0.5;
   for (int i = 0; i < kDepths; ++i) {
     const double depth = first + (last - first) * (i + 0.5) / kDepths;
     if (atSurface(ray.visibility, depth)) continue;
     ray.depths.push_back(depth);
-    ray.points.emplace_back(glm::dvec3(light.position) + depth * direction);
+    ray.points.emplace_back(line.at(depth / depthPerT));
   }
   return ray;
 }
@@ -104,12 +108,12 @@ double largestError(const TexelRay& ray, const std::vector<Transmittance>& resul
   return largest;
 }
 
-class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float>> {};
+class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float, LightType>> {};
 
 TEST_P(Tolerance, boundsTheCompression) {
-  const auto [memory, tolerance] = GetParam();
+  const auto [memory, tolerance, type] = GetParam();
   const Path path = mapPath(memory, "nearest");
-  const reference::World world(along(path, cloudyScene(), kMapSize, tolerance));
+  const reference::World world(along(path, cloudyScene(type), kMapSize, tolerance));
   double largest = 0.0;
   for (int row = 14; row < kMapSize - 13; row += 5) {
     for (int column = 14; column < kMapSize - 13; column += 5) {
@@ -126,7 +130,12 @@ TEST_P(Tolerance, boundsTheCompression) {
 
 INSTANTIATE_TEST_SUITE_P(Maps, Tolerance,
                          ::testing::Combine(::testing::Values("atlas", "chunked"),
-                                            ::testing::Values(0.0f, 0.002f, 0.01f, 0.05f)));
+                                            ::testing::Values(0.0f, 0.002f, 0.01f, 0.05f),
+                                            ::testing::Values(LightType::Spot)));
+
+INSTANTIATE_TEST_SUITE_P(MapsOfOtherLights, Tolerance,
+                         ::testing::Combine(::testing::Values("chunked"), ::testing::Values(0.0f, 0.01f),
+                                            ::testing::Values(LightType::Omni, LightType::Directional)));
 
 std::uint64_t nodesOf(float tolerance) {
   const Path path = mapPath();

@@ -1,69 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of closed forms. Slabs lie across y and reach beyond the cone, so that a ray's length in a slab is its
-// height over the cosine to the axis.
+// The table of closed forms. Those under omni and directional lights are in analytic_lights.cpp.
 #include "analytic_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "analytic_parts.hpp"
 #include "test_scenes.hpp"
 
 namespace cdsm::reference {
 namespace {
-
-constexpr float kWide = 3.0f;  ///< half width of the slabs: the cone is narrower everywhere
-
-/// -ln(1 - opacity) / unitDistance, of numbers that a Scene stores as floats.
-double sigmaOf(float opacity, float unitDistance) {
-  return -std::log(1.0 - static_cast<double>(opacity)) / static_cast<double>(unitDistance);
-}
-
-double distanceFromLight(const Scene& scene, const glm::dvec3& p) {
-  return glm::length(p - glm::dvec3(scene.lights.front().position));
-}
-
-/// 1 / cosine between the light ray to p and the y axis.
-double slant(const Scene& scene, const glm::dvec3& p) {
-  return distanceFromLight(scene, p) / std::abs(p.y - static_cast<double>(scene.lights.front().position.y));
-}
-
-/// World length of the light ray to p between the heights low and high.
-double lengthInSlab(const Scene& scene, const glm::dvec3& p, double low, double high) {
-  const double top = std::min(high, static_cast<double>(scene.lights.front().position.y));
-  return std::max(0.0, top - std::max(low, p.y)) * slant(scene, p);
-}
-
-/// Points at these heights, at six distances and directions from the axis, none on a symmetry plane of the objects.
-std::vector<glm::vec3> pointsAt(const std::vector<float>& heights, float largestRadius) {
-  std::vector<glm::vec3> points;
-  for (float y : heights) {
-    for (int i = 0; i < 6; ++i) {
-      const float radius = largestRadius * static_cast<float>(i) / 5.0f;
-      const float angle = 0.4f + 2.4f * static_cast<float>(i);
-      points.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
-    }
-  }
-  return points;
-}
-
-const std::vector<float> kHeights{3.0f, 1.25f, 0.45f, 0.2f, -0.1f, -0.45f, -0.75f, -1.5f};
-
-VolumeData slabVolume(VoxelType type, const glm::uvec3& size, float low, float high, const Field& field) {
-  return makeVolume(type, size, {-kWide, low, -kWide}, {kWide, high, kWide}, field);
-}
-
-double filled(const glm::dvec3&) { return 1.0; }
-
-/// A case with one constant slab; what a test changes in the scene must keep the formula true.
-AnalyticCase slabCase(const std::string& name, VoxelType type, const glm::uvec3& size, float opacity, float unit) {
-  AnalyticCase result{name, emptyScene(), {}, pointsAt(kHeights, 0.25f), 1e-5, 5e-3};
-  addVolume(result.scene, slabVolume(type, size, -0.5f, 0.5f, filled), constantOpacity(opacity, unit));
-  const double sigma = sigmaOf(std::min(opacity, 0.9999f), unit);
-  result.exact = [scene = result.scene, sigma](const glm::dvec3& p) {
-    return std::exp(-sigma * lengthInSlab(scene, p, -0.5, 0.5));
-  };
-  return result;
-}
 
 AnalyticCase slab() { return slabCase("Slab", VoxelType::UInt8, {6, 8, 6}, 0.5f, 0.5f); }
 AnalyticCase singleVoxel() { return slabCase("SingleVoxel", VoxelType::Float32, {1, 1, 1}, 0.4f, 1.0f); }
@@ -108,23 +55,6 @@ AnalyticCase ramp() {
     const double ramped = (primitive(0.8) - primitive(from)) / (0.8 / 0.9);
     const double above = -std::log(1.0 - 0.8) * std::clamp(0.5 - p.y, 0.0, 0.05);
     return std::exp(-(ramped + above) / 0.5 * slant(scene, p));
-  };
-  return result;
-}
-
-AnalyticCase stackedSheets(const std::string& name, int count, float spacing, float opacity) {
-  AnalyticCase result{name, emptyScene(), {}, {}, 1e-5, 1e-5};
-  const float top = 1.5f;
-  addMesh(result.scene, stackMesh(count, top, spacing, kWide), addMaterial(result.scene, glm::vec3(1.0f), opacity));
-  std::vector<float> heights{3.0f};
-  for (int i = 0; i < count; i += std::max(1, count / 7)) {
-    heights.push_back(top - spacing * (static_cast<float>(i) + 0.5f));
-  }
-  heights.push_back(top - spacing * static_cast<float>(count) - 0.5f);
-  result.points = pointsAt(heights, 0.25f);
-  result.exact = [=](const glm::dvec3& p) {
-    const double above = std::ceil((static_cast<double>(top) - p.y) / static_cast<double>(spacing));
-    return std::pow(1.0 - static_cast<double>(opacity), std::clamp(above, 0.0, static_cast<double>(count)));
   };
   return result;
 }
@@ -220,9 +150,8 @@ AnalyticCase lightInMedium() {
   return result;
 }
 
-}  // namespace
-
-std::vector<AnalyticCase> analyticCases() {
+/// Under a spot light.
+std::vector<AnalyticCase> spotCases() {
   return {empty(),
           slab(),
           singleVoxel(),
@@ -241,7 +170,16 @@ std::vector<AnalyticCase> analyticCases() {
           lightInMedium()};
 }
 
+}  // namespace
+
+std::vector<AnalyticCase> analyticCases() {
+  std::vector<AnalyticCase> cases = spotCases();
+  for (AnalyticCase& analytic : casesOfOtherLights()) cases.push_back(std::move(analytic));
+  return cases;
+}
+
 std::vector<glm::vec3> unlitPoints(const Light& light) {
+  if (light.type != LightType::Spot) return {};
   const glm::vec3 axis = glm::normalize(light.target - light.position);
   const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0.3f, 0.2f, 0.9f)));
   const float outside = std::tan(glm::radians(light.cutoff + 2.0f));

@@ -22,8 +22,8 @@ struct AnalyticCase {
 
 std::vector<AnalyticCase> analyticCases();
 
-/// Points that no case's light reaches: outside of the cone, behind it, in the plane of the light. None is the light
-/// itself.
+/// Points that a case's light does not reach: outside of a spot's cone, behind it, in the plane of the light. None is
+/// the light itself; none for other lights.
 std::vector<glm::vec3> unlitPoints(const Light& light);
 
 }  // namespace cdsm::reference

@@ -37,9 +37,9 @@ double shadow(const World& world, const Light& light, const glm::dvec3& point) {
 glm::dvec3 reflected(const Phong& phong, const Light& light, const glm::dvec3& point, const glm::dvec3& view) {
   const glm::dvec3 intensity(light.color);
   if (phong.normal == glm::dvec3(0.0)) return phong.diffuse * intensity;
-  const glm::dvec3 towardsLight = glm::normalize(glm::dvec3(light.position) - point);
-  const double cosine = glm::dot(towardsLight, phong.normal);
-  const glm::dvec3 reflection = 2.0 * cosine * phong.normal - towardsLight;  // the same for either side's normal
+  const glm::dvec3 way = towardsLight(light, point);
+  const double cosine = glm::dot(way, phong.normal);
+  const glm::dvec3 reflection = 2.0 * cosine * phong.normal - way;  // the same for either side's normal
   const double highlight = std::pow(std::max(glm::dot(reflection, view), 0.0), phong.shininess);
   return (phong.diffuse * std::abs(cosine) + phong.specular * highlight) * intensity;
 }

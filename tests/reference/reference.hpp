@@ -18,18 +18,24 @@ constexpr double kEngineStep = -1.0;
 /// Steps of a quarter of the smallest voxel edge among the segment's volumes.
 constexpr double kFineStep = 0.0;
 
-/// True inside the cone of the light, its surface included.
+/// True inside the cone of a spot light, its surface included; always for other lights.
 bool lit(const Light& light, const glm::dvec3& point);
 
 /// The part of the light that reaches the point, whatever the cone: surfaces strictly between times exp(-integral of
 /// the extinction), by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
+/// The way from a point to the light, of unit length.
+glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point);
+
 /// (depth in world units along the light's axis, transmittance up to there), ascending in depth, first (0, 1): one
 /// entry per step of the midpoint rule, two of the same depth at a surface.
 using Visibility = std::vector<std::pair<double, double>>;
 
-/// The uncompressed visibility function of a ray from the light; `direction` of any length.
+/// The uncompressed visibility function of a ray from a light; depth is `depthPerT` times the length along the ray.
+Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step = kEngineStep);
+
+/// The same for a spot light; `direction` of any length.
 Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step = kEngineStep);
 
 /// The ray of the camera through a position on the image: pixels, y down, the centre of the first pixel at 0.5, 0.5.

@@ -176,6 +176,18 @@ TransferFunction linearOpacity(double value, float opacity, float unitDistance) 
   return transfer;
 }
 
+std::vector<Light> otherLights(std::uint32_t seed) {
+  Random random(seed + 2000u);
+  Light omni, directional;
+  omni.name = "key";
+  omni.type = LightType::Omni;
+  omni.position = static_cast<float>(random.uniform(0.5, 1.2)) * random.direction();
+  directional.name = "fill";
+  directional.type = LightType::Directional;
+  directional.direction = static_cast<float>(random.uniform(0.5, 3.0)) * random.direction();
+  return {omni, directional};
+}
+
 Scene randomScene(std::uint32_t seed) {
   Random random(seed);
   Scene scene = emptyScene();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <cdsm/scene.hpp>
 
@@ -68,5 +69,8 @@ TransferFunction linearOpacity(double value, float opacity, float unitDistance);
 /// 1-3 volumes in random affine frames with random transfer functions, 1-4 meshes (opaque, translucent, filled with a
 /// medium, cutting a volume), 1-2 spot lights outside of everything. The same for the same seed.
 Scene randomScene(std::uint32_t seed);
+
+/// An omni light "key" among a random scene's objects and a directional light "fill". The same for the same seed.
+std::vector<Light> otherLights(std::uint32_t seed);
 
 }  // namespace cdsm::reference

@@ -45,13 +45,23 @@ void march(const World& world, const Ray& ray, double length, double step, Visit
 }  // namespace
 
 bool lit(const Light& light, const glm::dvec3& point) {
+  if (light.type != LightType::Spot) return true;
   const glm::dvec3 offset = point - glm::dvec3(light.position);
   const double cosine = glm::dot(offset, axisOf(light));
   return cosine >= std::cos(glm::radians(static_cast<double>(light.cutoff))) * glm::length(offset);
 }
 
+glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point) {
+  if (light.type == LightType::Directional) return -glm::normalize(glm::dvec3(light.direction));
+  return glm::normalize(glm::dvec3(light.position) - point);
+}
+
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
-  const glm::dvec3 position(light.position);
+  glm::dvec3 position(light.position);
+  if (light.type == LightType::Directional) {  // from behind all that the ray to the light meets
+    const Ray back{point, towardsLight(light, point)};
+    position = back.at(behindAll(world, back));
+  }
   const double distance = glm::length(point - position);
   if (distance == 0.0) return 1.0;
   double result = 1.0;
@@ -61,7 +71,10 @@ double transmittance(const World& world, const Light& light, const glm::dvec3& p
 
 Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step) {
   const Ray ray{glm::dvec3(light.position), glm::normalize(direction)};
-  const double depthPerT = glm::dot(ray.direction, axisOf(light));
+  return visibility(world, ray, glm::dot(ray.direction, axisOf(light)), step);
+}
+
+Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step) {
   Visibility result{{0.0, 1.0}};
   march(world, ray, behindAll(world, ray), step,
         [&](double t, double remaining) { result.emplace_back(t * depthPerT, remaining); });

@@ -65,6 +65,11 @@ def scene(name, text, old, new):
     return Case(name, text, RENDER, {"scene.toml": GOOD_SCENE.replace(old, new)})
 
 
+def directional(direction):
+    """The good scene with parallel light."""
+    return GOOD_SCENE.replace(b"position = [4.0, 4.0, 4.0]", b"type = 'directional'\ndirection = " + direction)
+
+
 def volume(name, content, text="", file="grid.nrrd"):
     """A volume file that cannot be right."""
     files = {"scene.toml": GOOD_SCENE.replace(b"grid.nrrd", file.encode()), file: content}
@@ -103,6 +108,9 @@ GOOD_RUNS = [
     works("a good query is answered", QUERY, ("out.csv",)),
     works("a light inside a volume", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
     works("a closed mesh as boundary", RENDER + ["--set", "volume.smoke.boundary=cup"], ("out.png",)),
+    works("an omni light inside a volume", RENDER + ["--set", "light.key.type=omni"]
+          + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
+    Case("a directional light", "", RENDER, {"scene.toml": directional(b"[0, -1, 0]")}, 0, ("out.png",)),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
 ]
 
@@ -129,6 +137,16 @@ SCENES = [
     scene("degenerate camera", "scene.toml:2:1: camera: position and target", b"[0.5, 1.0, 6.0]", b"[0, 0, 0]"),
     scene("camera up along the view", "camera up is parallel", b"[0.5, 1.0, 6.0]", b"[0, 9, 0]"),
     scene("degenerate light", "light 'key': position and target", b"[4.0, 4.0, 4.0]", b"[0, 0, 0]"),
+    scene("unknown type of light", "unknown type 'area'", b'name = "key"', b'name = "key"\ntype = "area"'),
+    scene("direction of a spot", "'direction' is of lights of type directional", b'name = "key"',
+          b'name = "key"\ndirection = [0, -1, 0]'),
+    settings("cutoff of an omni light", "'cutoff' is of lights of type spot, must be left out of type omni",
+             "light.key.type=omni", "light.key.cutoff=20"),
+    settings("position of a directional light", "scene.toml:11:12: 'position' is of lights of type spot, omni",
+             "light.key.type=directional"),
+    Case("direction without a length", "light 'key': direction has no length", RENDER,
+         {"scene.toml": directional(b"[0, 0, 0]")}),
+    Case("direction with a NaN", "direction is nan", RENDER, {"scene.toml": directional(b"[0, nan, 0]")}),
     scene("light without a name", "[[light]] has no 'name'", b'name = "key"', b""),
     scene("line break in a name", "unknown key", b'name = "key"', b'name = "k\\ney"\n"col\\nour" = 1'),
     scene("name used twice", "material 'glass' is already", b"[[mesh]]", b"[[material]]\nname = 'glass'\n[[mesh]]"),
@@ -226,8 +244,6 @@ LATER = [
         "shadows.transmittance=rgb",
         "shadows.cache=volume",
         "shadows.clusters=4",
-        "light.key.type=omni",
-        "light.key.type=directional",
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",
     )

@@ -236,6 +236,40 @@ TEST_F(SceneFile, RefusesDegenerateCamerasLightsAndOpenMeshes) {
   });
 }
 
+TEST_F(SceneFile, ReadsAllTypesOfLights) {
+  const Scene scene = read(
+      "[[light]]\nname = 'a'\ntype = 'omni'\nposition = [1, 2, 3]\ncolor = [1, 0, 0]\n"
+      "[[light]]\nname = 'b'\ntype = 'directional'\ndirection = [0, 0, -2]\n"
+      "[[light]]\nname = 'c'\ntype = 'directional'\n[[light]]\nname = 'd'\ntype = 'spot'\n");
+  EXPECT_EQ(scene.lights.at(0).type, LightType::Omni);
+  EXPECT_EQ(scene.lights.at(0).position, glm::vec3(1, 2, 3));
+  EXPECT_EQ(scene.lights.at(1).type, LightType::Directional);
+  EXPECT_EQ(scene.lights.at(1).direction, glm::vec3(0, 0, -2));
+  EXPECT_EQ(scene.lights.at(2).direction, glm::vec3(0, -1, 0)) << "the default";
+  EXPECT_EQ(scene.lights.at(3).type, LightType::Spot);
+}
+
+TEST_F(SceneFile, RefusesKeysOfOtherTypesOfLights) {
+  const std::string omni = "[[light]]\nname = 'x'\ntype = 'omni'\n";
+  const std::string directional = "[[light]]\nname = 'x'\ntype = 'directional'\n";
+  expectComplaints({
+      {"[[light]]\nname = 'x'\ntype = 'area'\n", "scene.toml:3:8: unknown type 'area'"},
+      {"[[light]]\nname = 'x'\ndirection = [0, 1, 0]\n",
+       "scene.toml:3:13: 'direction' is of lights of type directional, must be left out of type spot, which has: "
+       "position, target, cutoff"},
+      {omni + "target = [0, 1, 0]\n", "scene.toml:4:10: 'target' is of lights of type spot"},
+      {omni + "cutoff = 20\n",
+       "scene.toml:4:10: 'cutoff' is of lights of type spot, must be left out of type omni, which has: position"},
+      {directional + "position = [0, 1, 0]\n",
+       "scene.toml:4:12: 'position' is of lights of type spot, omni, must be left out of type directional, which has: "
+       "direction"},
+      {directional + "cutoff = 20\n", "scene.toml:4:10: 'cutoff' is of"},
+      {directional + "direction = [0, 0, 0]\n",
+       "scene.toml:1:1: light 'x': direction has no length, must be a direction"},
+      {directional + "direction = [0, nan, 0]\n", "scene.toml:4:17: direction is nan"},
+  });
+}
+
 TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
   expectComplaints({
       {"[shadows]\ntechnique = 'shadow-map'\n", "scene.toml:2:13: technique 'shadow-map' is not supported yet"},
@@ -244,7 +278,6 @@ TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
       {"[shadows]\ncache = 'volume'\n", "scene.toml:2:9: cache 'volume' is not supported yet"},
       {"[shadows]\nclusters = 4\n", "scene.toml:2:12: clusters other than 1 is not supported yet"},
       {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},
-      {"[[light]]\nname = 'x'\ntype = 'omni'\n", "scene.toml:3:8: type 'omni' is not supported yet"},
       {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},

@@ -128,6 +128,24 @@ TEST(Validate, ShadowsAndLights) {
   });
 }
 
+TEST(Validate, LightsOfOtherTypes) {
+  const auto typed = [](LightType type, const std::function<void(Light&)>& change) {
+    return [=](Scene& s) {
+      s.lights[0].type = type;
+      change(s.lights[0]);
+    };
+  };
+  expectComplaints({
+      {"light 'key': direction has no length, must be a direction",
+       typed(LightType::Directional, [](Light& l) { l.direction = glm::vec3(0.0f); })},
+      {"light 'key': direction is nan", typed(LightType::Directional, [](Light& l) { l.direction.y = kNan; })},
+      {"light 'key': position is inf", typed(LightType::Omni, [](Light& l) { l.position.y = kInfinity; })},
+  });
+  // what is of other types does not matter
+  EXPECT_EQ(complaint(typed(LightType::Omni, [](Light& l) { l.target = l.position; })), "");
+  EXPECT_EQ(complaint(typed(LightType::Directional, [](Light& l) { l.cutoff = -1.0f; })), "");
+}
+
 TEST(Validate, MaterialsAndMeshes) {
   expectComplaints({
       {"material 'glass': opacity is 1.5, must be in [0, 1]", [](Scene& s) { s.materials[0].opacity = 1.5f; }},

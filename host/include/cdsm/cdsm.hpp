@@ -47,7 +47,7 @@ struct Image {
 };
 
 struct Transmittance {
-  std::uint8_t lit;     ///< 0: outside the light's cone
+  std::uint8_t lit;     ///< 0: outside of a spot light's cone
   float transmittance;  ///< 0 where not lit
 };
 

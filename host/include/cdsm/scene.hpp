@@ -41,14 +41,16 @@ struct ShadowSettings {
   float bias = 0.0f;                ///< world units towards the light for surface points; 0: chosen from the scene
 };
 
-enum class LightType { Spot };
+/// Spot: a cone from a point. Omni: from a point to all sides. Directional: parallel light from infinitely far away.
+enum class LightType { Spot, Omni, Directional };
 
 struct Light {
   std::string name;
   LightType type = LightType::Spot;
-  glm::vec3 position{0.0f, 1.0f, 0.0f};
-  glm::vec3 target{0.0f};
-  float cutoff = 30.0f;  ///< half the cone's angle, in (0, 90), a hard edge
+  glm::vec3 position{0.0f, 1.0f, 0.0f};    ///< spot, omni
+  glm::vec3 target{0.0f};                  ///< spot
+  glm::vec3 direction{0.0f, -1.0f, 0.0f};  ///< directional: the way the light travels, of any length but 0
+  float cutoff = 30.0f;                    ///< spot: half the cone's angle, in (0, 90), a hard edge
   glm::vec3 color{1.0f};
 };
 

@@ -16,13 +16,13 @@ struct MapStats {
   double nodesMean = 0.0;  ///< over all texels, empty ones included
   std::uint64_t nodesMax = 0;
   std::uint64_t nodesTotal = 0;
-  double fovX = 0.0, fovY = 0.0;           ///< degrees
+  double fovX = 0.0, fovY = 0.0;           ///< degrees; 0 for parallel light
   double nearDepth = 0.0, farDepth = 0.0;  ///< world units along the light's axis
 };
 
 struct LightStats {
   std::string name;
-  std::string type;
+  std::string type;  ///< spot | omni | directional
   std::vector<MapStats> maps;
 };
 

@@ -2,24 +2,29 @@
 // Lights -> the views of their maps [Knecht 2011, §3.2: the scene seen from the light's point of view].
 #pragma once
 
+#include <vector>
+
 #include <cdsm/scene.hpp>
 
+#include "scene/view.hpp"
 #include "shared/map_data.h"
 #include "shared/view_data.h"
 
 namespace cdsm::cluster {
 
-/// The view of a spot light's map: along its axis, as wide as its cone and one texel more on each side, so that the
-/// filter never reaches out of the map for a lit point. `mapSize` texels per side.
-shared::ViewData spotView(const Light& light, int mapSize, float nearDepth);
+/// The views of a light's maps, each one texel wider on every side than what is looked up in it, so that the filter
+/// never reaches out of it. Spot: its cone. Omni: six of 90 degrees, in the order of CDSM_LIGHT_OMNI. Directional: all
+/// of `bounds` in parallel, from a plane in front of it; the outermost texels see nothing, as does every point outside.
+/// `bounds`: of all that casts; `mapSize`: texels per side.
+std::vector<shared::ViewData> lightViews(const Light& light, const scene::Bounds& bounds, int mapSize);
 
 /// The light for the kernels, with its maps.
-shared::LightData lightData(const Light& light, unsigned firstMap, unsigned mapCount);
+shared::LightData lightData(const Light& light, const scene::Bounds& bounds, unsigned firstMap, unsigned mapCount);
 
 /// Where points land in the map of a view. Offsets into memory are the memory strategy's to fill in.
 shared::MapData mapData(const shared::ViewData& view);
 
-/// Full field of view of a spot's map in degrees.
-double mapFov(const Light& light, int mapSize);
+/// Full field of view of a map with square texels in degrees; 0 for parallel light.
+double mapFov(const shared::ViewData& view);
 
 }  // namespace cdsm::cluster

@@ -4,6 +4,7 @@
 #include "cluster/light_camera.hpp"
 #include "engine/supersampling.hpp"
 #include "scene/changes.hpp"
+#include "scene/light_names.hpp"
 #include "scene/validate.hpp"
 #include "scene/view.hpp"
 #include "technique/registry.hpp"
@@ -95,7 +96,7 @@ void FrameState::uploadLights(const Scene& scene) {
   std::vector<shared::LightData> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const shared::uint2 maps = technique_->mapsOf(i);
-    lights.push_back(cluster::lightData(scene.lights[i], maps.x, maps.y));
+    lights.push_back(cluster::lightData(scene.lights[i], deviceScene_.bounds(), maps.x, maps.y));
   }
   lights_ = device::Buffer<shared::LightData>::fromHost(*device_, lights, "lights");
 }
@@ -113,7 +114,7 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
-  for (const Light& light : scene.lights) stats_.lights.push_back({light.name, "spot", {}});
+  for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, regenerated_, stats_);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[light]], [[material]], [[mesh]] and [[volume]] of a scene file.
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/mesh_file.hpp"
 #include "io/scene_parts.hpp"
 #include "io/spelling.hpp"
 #include "io/volume_file.hpp"
+#include "scene/light_names.hpp"
 #include "scene/range.hpp"
 #include "scene/transform.hpp"
 #include "scene/validate.hpp"
@@ -17,7 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Choices kLightTypes{{"spot"}, {"omni", "directional"}};
+const Choices kLightTypes{{"spot", "omni", "directional"}, {}};
+
+/// Keys that not all lights have, and the types that have them.
+const std::vector<std::pair<const char*, std::vector<LightType>>> kTypedLightKeys{
+    {"position", {LightType::Spot, LightType::Omni}},
+    {"target", {LightType::Spot}},
+    {"cutoff", {LightType::Spot}},
+    {"direction", {LightType::Directional}}};
 
 /// Reads through `cache`, where names that lead to the same file share an entry.
 template <typename Data, typename Read>
@@ -94,6 +104,27 @@ TransferFunction readTransferFunction(const TableReader& reader) {
   return transfer;
 }
 
+LightType readLightType(const TableReader& reader) {
+  const std::string name = reader.choice("type", "spot", kLightTypes);
+  for (const LightType type : {LightType::Omni, LightType::Directional})
+    if (name == scene::nameOf(type)) return type;
+  return LightType::Spot;
+}
+
+/// A key that means nothing for the light's type is a mistake in one of the two.
+void refuseKeysOfOtherTypes(const TableReader& reader, LightType type) {
+  std::vector<std::string> right;
+  for (const auto& [key, types] : kTypedLightKeys)
+    if (std::find(types.begin(), types.end(), type) != types.end()) right.push_back(key);
+  for (const auto& [key, types] : kTypedLightKeys) {
+    if (!reader.has(key) || std::find(types.begin(), types.end(), type) != types.end()) continue;
+    std::vector<std::string> owners;
+    for (const LightType owner : types) owners.push_back(scene::nameOf(owner));
+    reader.fail(key, std::string("'") + key + "' is of lights of type " + joinNames(owners) +
+                         ", must be left out of type " + scene::nameOf(type) + ", which has: " + joinNames(right));
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const MeshData> AssetCache::mesh(const std::string& file) {
@@ -108,11 +139,11 @@ Light readLight(const toml::table& table) {
   const TableReader reader(table, "[[light]]", {"name", "type", "position", "target", "direction", "cutoff", "color"});
   Light light;
   light.name = requiredText(reader, "name");
-  reader.choice("type", "spot", kLightTypes);
-  if (reader.has("direction"))
-    reader.fail("direction", "direction is for directional lights, which are not supported yet");
+  light.type = readLightType(reader);
+  refuseKeysOfOtherTypes(reader, light.type);
   light.position = reader.vector("position", light.position, scene::kCoordinate);
   light.target = reader.vector("target", light.target, scene::kCoordinate);
+  light.direction = reader.vector("direction", light.direction, scene::kCoordinate);
   light.cutoff = reader.number("cutoff", light.cutoff, scene::kCutoff);
   light.color = reader.vector("color", light.color, scene::kNotNegative);
   reader.locate("", [&] { scene::validateLight(light); });

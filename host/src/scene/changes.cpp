@@ -14,7 +14,7 @@ auto key(const Mesh& m) {
 }
 auto key(const TransferFunction::OpacityPoint& p) { return std::tie(p.value, p.opacity); }
 auto key(const TransferFunction::ColorPoint& p) { return std::tie(p.value, p.color); }
-auto key(const Light& l) { return std::tie(l.type, l.position, l.target, l.cutoff); }
+auto key(const Light& l) { return std::tie(l.type, l.position, l.target, l.direction, l.cutoff); }
 
 template <class T>
 bool sameLists(const std::vector<T>& a, const std::vector<T>& b);

@@ -31,6 +31,11 @@ void requireDistinct(const glm::vec3& position, const glm::vec3& target, const s
   }
 }
 
+void requireDirection(const glm::vec3& direction, const std::string& what) {
+  requireVector(direction, kCoordinate, what);
+  if (glm::length(glm::dvec3(direction)) < kShortestView) throw Error(what + " has no length, must be a direction");
+}
+
 void requireTransform(const glm::mat4& worldFromObject, const std::string& what) {
   if (!isInvertibleAffine(worldFromObject)) {
     throw Error(what + ": the transform cannot be inverted, must be finite, without a scale of 0 and with the last " +
@@ -51,13 +56,12 @@ void requireClosed(const Mesh& mesh, const std::string& why) {
 void validateCamera(const Camera& camera) {
   requireVector(camera.position, kCoordinate, "camera position");
   requireVector(camera.target, kCoordinate, "camera target");
-  requireVector(camera.up, kCoordinate, "camera up");
+  requireDirection(camera.up, "camera up");
   requireRange(camera.fov, kFov, "camera fov");
   requireDistinct(camera.position, camera.target, "camera");
-  const glm::dvec3 up(camera.up);
-  if (glm::length(up) < kShortestView) throw Error("camera up has no length, must be a direction");
+  const glm::dvec3 up = glm::normalize(glm::dvec3(camera.up));
   const glm::dvec3 view = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
-  if (glm::length(glm::cross(view, glm::normalize(up))) < kSmallestSine) {
+  if (glm::length(glm::cross(view, up)) < kSmallestSine) {
     throw Error("camera up is parallel to the view direction, must point to another side");
   }
 }
@@ -82,9 +86,11 @@ void validateShadows(const ShadowSettings& shadows) {
 
 void validateLight(const Light& light) {
   const std::string what = quoted("light", light.name);
-  requireVector(light.position, kCoordinate, what + ": position");
-  requireVector(light.target, kCoordinate, what + ": target");
   requireVector(light.color, kNotNegative, what + ": color");
+  if (light.type == LightType::Directional) return requireDirection(light.direction, what + ": direction");
+  requireVector(light.position, kCoordinate, what + ": position");
+  if (light.type == LightType::Omni) return;
+  requireVector(light.target, kCoordinate, what + ": target");
   requireRange(light.cutoff, kCutoff, what + ": cutoff");
   requireDistinct(light.position, light.target, what);
 }

@@ -31,6 +31,21 @@ Bounds worldBounds(const Scene& scene) {
   return bounds;
 }
 
+namespace {
+
+/// Sizes, and what else views of any kind share.
+shared::ViewData viewOfSize(int width, int height, float nearDepth) {
+  shared::ViewData view{};
+  view.width = width;
+  view.height = height;
+  view.tilesX = (width + CDSM_TILE - 1) / CDSM_TILE;
+  view.tilesY = (height + CDSM_TILE - 1) / CDSM_TILE;
+  view.nearDepth = nearDepth;
+  return view;
+}
+
+}  // namespace
+
 shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& up, float tanX,
                                  float tanY, int width, int height, float nearDepth) {
   const glm::vec3 right = glm::normalize(glm::cross(forward, up));
@@ -39,7 +54,7 @@ shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward,
   const float scaleX = 0.5f * float(width) / tanX, scaleY = 0.5f * float(height) / tanY;
   const glm::vec3 rowU = right * scaleX + forward * (0.5f * float(width));
   const glm::vec3 rowV = down * scaleY + forward * (0.5f * float(height));
-  shared::ViewData view{};
+  shared::ViewData view = viewOfSize(width, height, nearDepth);
   view.pixelU = {rowU, -glm::dot(rowU, eye)};
   view.pixelV = {rowV, -glm::dot(rowV, eye)};
   view.pixelW = view.depth = {forward, -glm::dot(forward, eye)};
@@ -47,11 +62,22 @@ shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward,
   view.dir = {forward - right * tanX - down * tanY, 0.0f};
   view.dirU = {right / scaleX, 0.0f};
   view.dirV = {down / scaleY, 0.0f};
-  view.width = width;
-  view.height = height;
-  view.tilesX = (width + CDSM_TILE - 1) / CDSM_TILE;
-  view.tilesY = (height + CDSM_TILE - 1) / CDSM_TILE;
-  view.nearDepth = nearDepth;
+  return view;
+}
+
+shared::ViewData parallelView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& right, float halfX,
+                              float halfY, int width, int height) {
+  const glm::vec3 down = glm::cross(forward, right);
+  const float scaleX = 0.5f * float(width) / halfX, scaleY = 0.5f * float(height) / halfY;
+  shared::ViewData view = viewOfSize(width, height, 0.0f);
+  view.pixelU = {right * scaleX, 0.5f * float(width) - glm::dot(right * scaleX, eye)};
+  view.pixelV = {down * scaleY, 0.5f * float(height) - glm::dot(down * scaleY, eye)};
+  view.pixelW = {0.0f, 0.0f, 0.0f, 1.0f};
+  view.depth = {forward, -glm::dot(forward, eye)};
+  view.origin = {eye - right * halfX - down * halfY, 0.0f};
+  view.originU = {right / scaleX, 0.0f};
+  view.originV = {down / scaleY, 0.0f};
+  view.dir = {forward, 0.0f};
   return view;
 }
 

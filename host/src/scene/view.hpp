@@ -29,6 +29,11 @@ glm::mat4 worldFromIndex(const Volume& volume);
 shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& up, float tanX,
                                  float tanY, int width, int height, float nearDepth);
 
+/// A parallel view along `forward` from a plane, whose middle is `eye`. `right`: unit, at right angles to it. halfX and
+/// halfY: half widths of the picture in world units. Nothing behind the plane is seen.
+shared::ViewData parallelView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& right, float halfX,
+                              float halfY, int width, int height);
+
 /// The camera's view of `width` x `height` rays.
 shared::ViewData cameraView(const Camera& camera, int width, int height, float nearDepth);
 

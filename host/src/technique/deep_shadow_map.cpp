@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "technique/deep_shadow_map.hpp"
 
+#include <algorithm>
+
 #include "cluster/light_camera.hpp"
 
 namespace cdsm::technique {
 
 namespace {
 
-/// Nothing nearer to a light than this part of the scene's size casts a shadow.
-constexpr float kNearPart = 1e-6f;
-
-/// Depth of the farthest corner of the bounds.
+/// Depth of the farthest corner of the bounds; the near plane's where all of them lie in front of it.
 float farthestDepth(const shared::ViewData& view, const scene::Bounds& bounds) {
   const glm::vec3 axis(view.depth.x, view.depth.y, view.depth.z);
-  return glm::dot(axis, glm::mix(bounds.low, bounds.high, glm::vec3(glm::greaterThan(axis, glm::vec3(0.0f))))) +
-         view.depth.w;
+  const glm::vec3 corner = glm::mix(bounds.low, bounds.high, glm::vec3(glm::greaterThan(axis, glm::vec3(0.0f))));
+  return std::max(glm::dot(axis, corner) + view.depth.w, view.nearDepth);
 }
 
 }  // namespace
@@ -29,10 +28,14 @@ build::Defines DeepShadowMap::kernelFiles() const {
 
 void DeepShadowMap::prepare(const Scene& scene, const build::DeviceScene& deviceScene, build::RasterPass& raster,
                             const build::RasterPass::Report& report) {
-  const float nearDepth = std::max(kNearPart * deviceScene.bounds().diagonal(), 1e-20f);
   views_.clear();
+  lightMaps_.clear();
   bounds_ = deviceScene.bounds();
-  for (const Light& light : scene.lights) views_.push_back(cluster::spotView(light, scene.shadows.mapSize, nearDepth));
+  for (const Light& light : scene.lights) {
+    const auto views = cluster::lightViews(light, bounds_, scene.shadows.mapSize);
+    lightMaps_.push_back({shared::uint(views_.size()), shared::uint(views.size())});
+    views_.insert(views_.end(), views.begin(), views.end());
+  }
   const auto maps = pass_.run(deviceScene, views_, scene.shadows.tolerance, raster, *memory_, report);
   maps_ = device::Buffer<shared::MapData>::fromHost(device_, maps, "maps");
 }
@@ -52,22 +55,30 @@ device::ArgumentList DeepShadowMap::arguments() const {
 }
 
 void DeepShadowMap::addStats(const Scene& scene, bool regenerated, FrameStats& stats) const {
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    MapStats map;
-    for (const Mesh& mesh : scene.meshes) map.objects.push_back(mesh.name);
-    for (const Volume& volume : scene.volumes) map.objects.push_back(volume.name);
-    map.regenerated = regenerated;
-    map.texels = std::uint64_t(views_[i].width) * views_[i].height;
-    const memory::NodeCounts nodes = memory_->nodeCounts(i);
-    map.nodesTotal = nodes.total;
-    map.nodesMax = nodes.most;
-    map.nodesMean = double(nodes.total) / double(map.texels);
-    map.fovX = map.fovY = cluster::mapFov(scene.lights[i], views_[i].width);
-    map.nearDepth = views_[i].nearDepth;
-    map.farDepth = farthestDepth(views_[i], bounds_);
-    stats.lights[i].maps.push_back(map);
-  }
+  std::vector<std::string> objects;
+  for (const Mesh& mesh : scene.meshes) objects.push_back(mesh.name);
+  for (const Volume& volume : scene.volumes) objects.push_back(volume.name);
+  for (std::size_t light = 0; light < lightMaps_.size(); ++light)
+    for (unsigned i = 0; i < lightMaps_[light].y; ++i) {
+      stats.lights[light].maps.push_back(mapStats(lightMaps_[light].x + i));
+      stats.lights[light].maps.back().objects = objects;
+      stats.lights[light].maps.back().regenerated = regenerated;
+    }
   stats.memory = memory_->stats();
+}
+
+MapStats DeepShadowMap::mapStats(std::size_t index) const {
+  const shared::ViewData& view = views_[index];
+  const memory::NodeCounts nodes = memory_->nodeCounts(index);
+  MapStats map;
+  map.texels = std::uint64_t(view.width) * view.height;
+  map.nodesTotal = nodes.total;
+  map.nodesMax = nodes.most;
+  map.nodesMean = double(nodes.total) / double(map.texels);
+  map.fovX = map.fovY = cluster::mapFov(view);
+  map.nearDepth = view.nearDepth;
+  map.farDepth = farthestDepth(view, bounds_);
+  return map;
 }
 
 }  // namespace cdsm::technique

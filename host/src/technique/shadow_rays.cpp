@@ -41,7 +41,8 @@ void ShadowRays::prepare(const Scene& scene, const build::DeviceScene& deviceSce
   std::vector<std::uint32_t> objects;
   around_.clear();
   for (const Light& light : scene.lights) {
-    const auto around = deviceScene.objectsAround(light.position);
+    std::vector<std::uint32_t> around;  // none: parallel light starts in front of everything
+    if (light.type != LightType::Directional) around = deviceScene.objectsAround(light.position);
     around_.push_back({shared::uint(objects.size()), shared::uint(around.size())});
     objects.insert(objects.end(), around.begin(), around.end());
   }
