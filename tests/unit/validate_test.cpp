@@ -179,6 +179,8 @@ TEST(Validate, MeshData) {
        changed([](MeshData& m) { m.triangles[2].y = 4; })},
       {"has 1 normals for 4 positions", changed([](MeshData& m) { m.normals.resize(1); })},
       {"position 3 is not finite", changed([](MeshData& m) { m.positions[3].z = kNan; })},
+      {"mesh 'cup': its highest coordinate in the world is 2e+09, must be in [-1e+09, 1e+09]",
+       changed([](MeshData& m) { m.positions[3].z = 2e9f; })},
       {"has no triangles", changed([](MeshData& m) { m.triangles.clear(); })},
   });
 }
@@ -196,6 +198,8 @@ TEST(Validate, Volumes) {
       {"has 0 x 3 x 4 voxels", changed([](VolumeData& v) { v.size.x = 0; })},
       {"must be at least one along each axis and fit memory", changed([](VolumeData& v) { v.size = glm::uvec3(~0u); })},
       {"axes span no space", changed([](VolumeData& v) { v.objectFromIndex[0] = v.objectFromIndex[1]; })},
+      {"volume 'smoke': its lowest coordinate in the world is -5e+09, must be in [-1e+09, 1e+09]",
+       changed([](VolumeData& v) { v.objectFromIndex[1][1] = 1e10f; })},
       {"voxel 1 is not finite",
        changed([](VolumeData& v) { v.voxels[6] = v.voxels[7] = std::byte{0xff}; })},  // bytes 4 to 7: a NaN
       {"volume 'smoke' has no data", [](Scene& s) { s.volumes[0].data.reset(); }},

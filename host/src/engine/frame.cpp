@@ -13,7 +13,8 @@ namespace cdsm::engine {
 
 namespace {
 
-/// Nothing nearer to the camera than this part of the scene's size is seen.
+/// Nothing nearer to the camera than this part of the scene's size is seen, or of the way to the target if that is
+/// less: a wide floor must not hide what stands on it.
 constexpr float kNearPart = 1e-5f;
 
 }  // namespace
@@ -41,7 +42,9 @@ Image FrameState::render(const Scene& scene) {
   progress("render", 0.0f);
   device_->profiler().beginGroup("render");
   const int rays = scene.image.supersampling;
-  const float nearDepth = std::max(kNearPart * deviceScene_.bounds().diagonal(), 1e-20f);
+  const float sceneSize = deviceScene_.bounds().diagonal();
+  const float viewLength = glm::distance(scene.camera.position, scene.camera.target);
+  const float nearDepth = std::max(kNearPart * std::min(sceneSize, viewLength), 1e-20f);
   const shared::ViewData view =
       scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
   build::Layers& layers = raster_.run(deviceScene_, view, [this](const std::string& what) { report(what); });

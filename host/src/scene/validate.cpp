@@ -44,6 +44,27 @@ void requireTransform(const glm::mat4& worldFromObject, const std::string& what)
   requireVector(glm::vec3(worldFromObject[3]), kCoordinate, what + ": the transform's position");
 }
 
+/// Of a volume's box, in voxel coordinates.
+std::vector<glm::vec3> boxCorners(const VolumeData& data) {
+  std::vector<glm::vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(glm::vec3(i & 1, i >> 1 & 1, i >> 2) * glm::vec3(data.size) - 0.5f);
+  return corners;
+}
+
+/// Points beyond the range of coordinates would overflow on the way to the screen; in double they do not here.
+void requireReach(const std::vector<glm::vec3>& points, const glm::dmat4& worldFromPoints, const std::string& what) {
+  glm::dvec3 low(0.0), high(0.0);
+  for (const glm::vec3& point : points) {
+    const glm::dvec3 world(worldFromPoints * glm::dvec4(point, 1.0));
+    low = glm::min(low, world);
+    high = glm::max(high, world);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    requireRange(low[axis], kCoordinate, what + ": its lowest coordinate in the world");
+    requireRange(high[axis], kCoordinate, what + ": its highest coordinate in the world");
+  }
+}
+
 void requireClosed(const Mesh& mesh, const std::string& why) {
   const std::size_t open = openEdges(*mesh.data);
   if (open == 0) return;
@@ -108,6 +129,7 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount) {
   if (!mesh.data) throw Error(what + " has no data, must point to a MeshData");
   requireTransform(mesh.worldFromObject, what);
   validateMeshData(*mesh.data, what);
+  requireReach(mesh.data->positions, mesh.worldFromObject, what);
   if (mesh.material < 0 || static_cast<std::size_t>(mesh.material) >= materialCount) {
     throw Error(what + ": material index is " + std::to_string(mesh.material) + ", must be below the number of " +
                 "materials, " + std::to_string(materialCount));
@@ -122,6 +144,8 @@ void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes) {
   if (!volume.data) throw Error(what + " has no data, must point to a VolumeData");
   requireTransform(volume.worldFromObject, what);
   validateVolumeData(*volume.data, what);
+  requireReach(boxCorners(*volume.data), glm::dmat4(volume.worldFromObject) * glm::dmat4(volume.data->objectFromIndex),
+               what);
   validateTransferFunction(volume.transfer, what);
   requireVector(volume.specular, kNotNegative, what + ": specular");
   requireRange(volume.shininess, kNotNegative, what + ": shininess");
