@@ -9,7 +9,7 @@ CDSM_SHARED_BEGIN
 /// From a point p the way to the light is position.xyz - position.w * p.
 typedef struct LightData {
   float4 position;   ///< spot, omni: world, w = 1; directional: unit, towards the light, w = 0
-  float4 axis;       ///< of a spot's cone: unit, w: cosine of the cutoff angle; 0 where all is lit
+  float4 axis;       ///< of a spot's cone: unit, w: tangent of the cutoff angle; 0 where all is lit
   float4 color;      ///< linear RGB
   uint firstMap;
   uint mapCount;

@@ -76,7 +76,7 @@ float interiorStepOf(const Scene& scene, float diagonal) {
   // linear nodes between samples of exp(-tau) are off by at most (step of tau)^2 / 8
   const float opticalStep = 0.5f * std::sqrt(8.0f * std::max(scene.shadows.tolerance, 1e-3f));
   const float step = diagonal / 512.0f;
-  return most > 0.0f ? std::min(step, opticalStep / most) : step;
+  return most > 0.0f ? std::clamp(opticalStep / most, diagonal / float(CDSM_MOST_STEPS), step) : step;
 }
 
 }  // namespace
@@ -188,13 +188,10 @@ void DeviceScene::update(const Scene& scene) {
 }
 
 void DeviceScene::requireSteps() const {
-  float step = interiorStep_;
-  for (const shared::MediumData& medium : hostMedia_)
-    if (medium.size.w >= 0) step = std::min(step, medium.step);
-  const float least = bounds_.diagonal() / float(CDSM_MOST_STEPS);
-  if (!hostMedia_.empty() && step < least)
-    throw Error("the ray step is " + scene::formatNumber(step) + " world units, must be at least " +
-                scene::formatNumber(least) + " in a scene of this size");
+  const float step = scene_.shadows.step, least = bounds_.diagonal() / float(CDSM_MOST_STEPS);
+  if (hostMedia_.empty() || step <= 0.0f || step >= least) return;
+  throw Error("the ray step is " + scene::formatNumber(step) + " world units, must be at least " +
+              scene::formatNumber(least) + " in a scene of this size, or 0 for steps chosen by the engine");
 }
 
 void DeviceScene::upload() {

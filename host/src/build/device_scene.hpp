@@ -52,7 +52,7 @@ class DeviceScene {
   void addVolumeMedium(const Scene& scene, const Volume& volume);
   void addTriangles(const MeshData& data, unsigned object, bool flip);
   void upload();
-  /// Throws Error for a ray step that would need more steps across the scene than a ray may take.
+  /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
   void classify(const shared::MediumData& medium);
 

@@ -80,7 +80,9 @@ void RasterPass::fillTiles(const shared::ViewData& view) {
 }
 
 Layers& RasterPass::run(const DeviceScene& scene, shared::ViewData view, const Report& report) {
-  const auto around = scene.objectsAround({view.origin.x, view.origin.y, view.origin.z});
+  // asked where rays begin to see: what lies between the eye and the near plane has been passed by then
+  const glm::vec3 eye(view.origin.x, view.origin.y, view.origin.z), axis(view.depth.x, view.depth.y, view.depth.z);
+  const auto around = scene.objectsAround(eye + view.nearDepth * axis);
   view.initialCount = shared::uint(around.size());
   layers_.view = view;
   layers_.initialObjects = Uints::fromHost(device_, around, "objects around the eye");

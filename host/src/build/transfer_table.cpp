@@ -29,6 +29,20 @@ bool wholeValues(const std::vector<Point>& points) {
   return std::all_of(points.begin(), points.end(), [](const Point& p) { return p.value == std::floor(p.value); });
 }
 
+/// Points between which nothing changes, at either end, say nothing that the next ones don't.
+template <class Point, class Value>
+std::vector<Point> withoutConstantEnds(std::vector<Point> points, Value Point::*value) {
+  while (points.size() > 1 && points[0].*value == points[1].*value) points.erase(points.begin());
+  while (points.size() > 1 && points.back().*value == points[points.size() - 2].*value) points.pop_back();
+  return points;
+}
+
+/// The function jumps at its lowest value.
+template <class Point>
+bool startsWithStep(const std::vector<Point>& points, float low) {
+  return points.size() > 1 && points[0].value == low && points[1].value == low;
+}
+
 /// Intervals of the table: a multiple of the span where all points have whole values, so that none falls in between.
 int intervals(const TransferFunction& transfer, float span) {
   if (!wholeValues(transfer.opacity) || !wholeValues(transfer.color)) return kMostEntries;
@@ -40,18 +54,26 @@ int intervals(const TransferFunction& transfer, float span) {
 }  // namespace
 
 float extinctionOf(float opacity, float unitDistance) {
-  return -std::log1p(-std::min(opacity, 0.9999f)) / unitDistance;
+  // times any way in the world it stays a float
+  return std::min(-std::log1p(-std::min(opacity, 0.9999f)) / unitDistance, 1e28f);
 }
 
-TransferTable makeTransferTable(const TransferFunction& transfer) {
-  const float low = std::min(transfer.opacity.front().value, transfer.color.front().value);
+TransferTable makeTransferTable(const TransferFunction& given) {
+  TransferFunction transfer = given;
+  transfer.opacity = withoutConstantEnds(given.opacity, &TransferFunction::OpacityPoint::opacity);
+  transfer.color = withoutConstantEnds(given.color, &TransferFunction::ColorPoint::color);
+  float low = std::min(transfer.opacity.front().value, transfer.color.front().value);
   const float high = std::max(transfer.opacity.back().value, transfer.color.back().value);
-  const int count = high > low ? intervals(transfer, high - low) : 1;
+  int count = high > low ? intervals(transfer, high - low) : 1;
+  const float width = high > low ? (high - low) / float(count) : std::max(1e-3f, 1e-5f * std::abs(low));
+  const bool step = startsWithStep(transfer.opacity, low) || startsWithStep(transfer.color, low);
+  if (step) low -= width;  // one entry in front of it
+  if (step && high > low + width) ++count;
   TransferTable table;
   table.scale = high > low ? float(count) / (high - low) : 0.0f;
   table.bias = -low * table.scale;
   for (int i = 0; i <= count; ++i) {
-    const float value = low + (high - low) * float(i) / float(count);
+    const float value = i == count ? high : low + (high - low) * float(i) / float(count);
     const float opacity = interpolate(transfer.opacity, value, &TransferFunction::OpacityPoint::opacity);
     const glm::vec3 color = interpolate(transfer.color, value, &TransferFunction::ColorPoint::color);
     table.entries.emplace_back(color, extinctionOf(opacity, transfer.unitDistance));

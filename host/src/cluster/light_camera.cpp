@@ -25,7 +25,10 @@ float withMargin(float half, int mapSize) { return half * float(mapSize) / float
 
 shared::ViewData viewAlong(const glm::vec3& axis, const Light& light, float tangent, const scene::Bounds& bounds,
                            int mapSize) {
-  const float half = withMargin(tangent, mapSize), nearDepth = std::max(kNearPart * bounds.diagonal(), kLeast);
+  // a wide floor must not push the near plane into what a spot is aimed at
+  const float aim = light.type == LightType::Spot ? glm::distance(light.position, light.target) : INFINITY;
+  const float nearDepth = std::max(kNearPart * std::min(bounds.diagonal(), aim), kLeast);
+  const float half = withMargin(tangent, mapSize);
   return scene::perspectiveView(light.position, axis, upFor(axis), half, half, mapSize, mapSize, nearDepth);
 }
 
@@ -79,7 +82,7 @@ shared::LightData lightData(const Light& light, const scene::Bounds& bounds, uns
   data.mapCount = mapCount;
   data.type = CDSM_LIGHT_SPOT;
   if (light.type == LightType::Spot)
-    data.axis = {glm::normalize(light.target - light.position), std::cos(glm::radians(light.cutoff))};
+    data.axis = {glm::normalize(light.target - light.position), std::tan(glm::radians(light.cutoff))};
   if (light.type == LightType::Omni) data.type = CDSM_LIGHT_OMNI;
   if (light.type == LightType::Directional) {
     const ParallelSpan span(bounds);
