@@ -62,6 +62,8 @@ void writeTo(const std::string& file, const std::string& path, const Image& imag
   if (!output) throw Error(Location{path}, "cannot be written: " + printable(OIIO::geterror()));
   OIIO::ImageSpec spec(image.width, image.height, png ? 3 : 4, png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
   spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
+  // same input, same bytes: OpenImageIO would write the time of day into an EXR file
+  if (!png) spec.attribute("DateTime", "1970:01:01 00:00:00");
   const std::vector<std::uint8_t> bytes = png ? srgbPixels(image) : std::vector<std::uint8_t>();
   const bool written =
       output->open(file, spec) && (png ? output->write_image(OIIO::TypeDesc::UINT8, bytes.data())
