@@ -19,8 +19,7 @@ CDSM_SIZE(ScreenTriangle, 64);
 typedef struct RasterCounters {
   uint screenTriangles;  ///< wanted, may exceed the capacity
   uint largeTriangles;   ///< that cover more tiles than CDSM_LARGE_TILES
-  uint pairs;            ///< (mask, triangle) pairs of all tiles
-  uint fragments;        ///< of all pixels
+  uint padding0, padding1;
 } RasterCounters;
 CDSM_SIZE(RasterCounters, 16);
 

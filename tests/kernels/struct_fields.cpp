@@ -85,8 +85,8 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                     F(nodeCount) F(padding) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
-        F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(pairs)
-            F(fragments) CDSM_END CDSM_BEGIN(SetupParams) F(triangleCount) F(capacity) F(padding0) F(padding1) CDSM_END
+        F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)
+            F(padding1) CDSM_END CDSM_BEGIN(SetupParams) F(triangleCount) F(capacity) F(padding0) F(padding1) CDSM_END
 
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) CDSM_END
     CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin) F(originU) F(originV) F(dir) F(dirU) F(dirV)

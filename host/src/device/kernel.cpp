@@ -41,11 +41,6 @@ KernelBase::KernelBase(Device& device, const cl::Program& program, const char* f
       function_(function),
       kernel_(guarded("kernel " + function_, [&] { return cl::Kernel(program, function); })) {}
 
-std::size_t KernelBase::maxLocalSize() const {
-  return guarded("kernel " + function_,
-                 [&] { return kernel_.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_->handle()); });
-}
-
 void KernelBase::checkCount(cl_uint given) const {
   const cl_uint wanted = guarded("kernel " + function_, [&] { return kernel_.getInfo<CL_KERNEL_NUM_ARGS>(); });
   if (given == wanted) return;

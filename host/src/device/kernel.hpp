@@ -27,10 +27,6 @@ using ArgumentList = std::vector<cl::Memory>;
 
 /// The untyped part of Kernel.
 class KernelBase {
- public:
-  /// The largest work group (items) that the device can run this kernel with.
-  std::size_t maxLocalSize() const;
-
  protected:
   KernelBase(Device& device, const cl::Program& program, const char* function);
 
