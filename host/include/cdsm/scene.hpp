@@ -37,6 +37,9 @@ struct ShadowSettings {
   int mapSize = 512;                ///< texels per side
   float tolerance = 0.01f;          ///< epsilon of the compression, in opacity, in [0, 1)
   std::string filter = "bilinear";  ///< bilinear | nearest
+  int clusters = 1;                 ///< the most clusters of casters per light; 1: no clustering
+  float clusterDistance = 0.25f;    ///< d0, in units of the light-space-perspective [-1, 1] square
+  bool stable = false;              ///< hand over smoothly when clusters change; frames depend on those before
   float step = 0.0f;                ///< ray step in world units; 0: half the smallest voxel edge in the segment
   float bias = 0.0f;                ///< world units towards the light for surface points; 0: chosen from the scene
 };
@@ -62,6 +65,13 @@ struct Material {
   float opacity = 1.0f;  ///< of one crossing of the surface, in [0, 1]
 };
 
+/// What an object and shadows have to do with each other.
+struct ShadowRole {
+  bool casts = true;     ///< attenuates the light
+  bool receives = true;  ///< is lit by what is left of the light; false: as if nothing stood in the way
+  float weight = 1.0f;   ///< of its distances to others when casters are clustered, > 0; larger: a sharper shadow
+};
+
 /// Triangles in object space. Either no normals or one per position.
 struct MeshData {
   std::vector<glm::vec3> positions;
@@ -76,6 +86,7 @@ struct Mesh {
   glm::mat4 worldFromObject{1.0f};
   float interiorExtinction = 0.0f;  ///< 1 / world length; > 0 needs a closed mesh
   glm::vec3 interiorColor{1.0f};
+  ShadowRole shadow;
 };
 
 enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
@@ -115,6 +126,7 @@ struct Volume {
   glm::vec3 specular{0.0f};
   float shininess = 1.0f;
   bool shading = true;  ///< Phong with the gradient as normal; false: the colour as it is, times the light
+  ShadowRole shadow;
 };
 
 struct Scene {

@@ -9,8 +9,10 @@ namespace cdsm::scene {
 namespace {
 
 auto key(const Material& m) { return std::tie(m.name, m.diffuse, m.specular, m.shininess, m.opacity); }
+auto key(const ShadowRole& r) { return std::tie(r.casts, r.receives, r.weight); }
 auto key(const Mesh& m) {
-  return std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor);
+  return std::tuple_cat(std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor),
+                        key(m.shadow));
 }
 auto key(const TransferFunction::OpacityPoint& p) { return std::tie(p.value, p.opacity); }
 auto key(const TransferFunction::ColorPoint& p) { return std::tie(p.value, p.color); }
@@ -25,7 +27,8 @@ bool same(const TransferFunction& a, const TransferFunction& b) {
 
 bool same(const Volume& a, const Volume& b) {
   const auto plain = [](const Volume& v) {
-    return std::tie(v.name, v.data, v.worldFromObject, v.boundary, v.specular, v.shininess, v.shading);
+    return std::tuple_cat(std::tie(v.name, v.data, v.worldFromObject, v.boundary, v.specular, v.shininess, v.shading),
+                          key(v.shadow));
   };
   return plain(a) == plain(b) && same(a.transfer, b.transfer);
 }
