@@ -74,8 +74,8 @@ __kernel void setupTriangles(SetupParams params, ViewData view, __global const u
                              __global const float* positions, __global const ObjectData* objects,
                              __global ScreenTriangle* screen, __global RasterCounters* counters,
                              __global uint* large) {
-  uint id = (uint)get_global_id(0);
-  if (id >= params.triangleCount) return;
+  if (get_global_id(0) >= params.triangleCount) return;
+  uint id = params.firstTriangle + (uint)get_global_id(0);
   uint4 corners = triangles[id];
   Affine worldFromObject = objects[corners.w].worldFromObject;
   float3 a = transformPoint(worldFromObject, vload3(corners.x, positions));

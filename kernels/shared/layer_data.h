@@ -24,9 +24,10 @@ typedef struct RasterCounters {
 CDSM_SIZE(RasterCounters, 16);
 
 typedef struct SetupParams {
+  uint firstTriangle;
   uint triangleCount;
   uint capacity;  ///< screen triangles there is room for
-  uint padding0, padding1;
+  uint padding;
 } SetupParams;
 CDSM_SIZE(SetupParams, 16);
 

@@ -15,11 +15,14 @@ typedef struct LightData {
   uint mapCount;
   uint type;         ///< CDSM_LIGHT_...
   float front;       ///< directional: dot(position.xyz, p) of a plane that the whole scene lies behind
+  uint formerCount;  ///< maps behind those that are fading out; each set of maps tells the whole transmittance
+  float share;       ///< of the first set, where a second one fades out
+  uint padding0, padding1;
 } LightData;
-CDSM_SIZE(LightData, 64);
+CDSM_SIZE(LightData, 80);
 
 #define CDSM_LIGHT_SPOT 0u
-#define CDSM_LIGHT_OMNI 1u         /* six maps, towards +x, -x, +y, -y, +z, -z: a point is looked up in one of them */
+#define CDSM_LIGHT_OMNI 1u
 #define CDSM_LIGHT_DIRECTIONAL 2u
 
 /// One deep shadow map: where a point lands in it and where its texels' nodes are kept.
@@ -31,8 +34,14 @@ typedef struct MapData {
   int width, height;                     ///< texels
   uint firstTexel;                       ///< of this map in the lookup table
   uint firstNode;                        ///< chunked: of this map in the pool of nodes
+  float nearDepth;                       ///< nothing in front of it attenuates
+  uint face;                             ///< side of an omni light whose points are looked up here, or CDSM_FACE_ANY
+  uint padding0, padding1;
 } MapData;
-CDSM_SIZE(MapData, 192);
+CDSM_SIZE(MapData, 208);
+
+/// Sides of an omni light: 0 .. 5 as +x, -x, +y, -y, +z, -z.
+#define CDSM_FACE_ANY 6u
 
 /// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between.
 typedef float2 Node;

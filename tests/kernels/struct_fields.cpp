@@ -86,12 +86,14 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)
-            F(padding1) CDSM_END CDSM_BEGIN(SetupParams) F(triangleCount) F(capacity) F(padding0) F(padding1) CDSM_END
+            F(padding1) CDSM_END CDSM_BEGIN(SetupParams) F(firstTriangle) F(triangleCount) F(capacity)
+                F(padding) CDSM_END
 
-    CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) CDSM_END
-    CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin) F(originU) F(originV) F(dir) F(dirU) F(dirV)
-        F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks)
-            F(maxNodes) F(padding0) F(padding1) CDSM_END
+    CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
+        F(padding0) F(padding1) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin) F(originU)
+            F(originV) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode) F(nearDepth)
+                F(face) F(padding0) F(padding1) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes) F(padding0)
+                    F(padding1) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
         F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) CDSM_END CDSM_BEGIN(MediumData) F(indexFromWorld)

@@ -12,6 +12,8 @@ struct MapStats {
   int cluster = 0;
   std::vector<std::string> objects;  ///< names of what casts in this map
   bool regenerated = false;
+  std::string reason;  ///< of regenerating it: "first", "settings", "light moved", "light turned", "cone", "light",
+                       ///< "cluster", "objects", "object NAME", "transfer function of NAME"; empty if kept
   std::uint64_t texels = 0;
   double nodesMean = 0.0;  ///< over all texels, empty ones included
   std::uint64_t nodesMax = 0;

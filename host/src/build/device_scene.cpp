@@ -46,12 +46,12 @@ double signedVolume(const MeshData& data) {
 }
 
 /// The unit cube, counter-clockwise seen from outside.
-const MeshData& unitCube() {
-  static const MeshData cube = [] {
-    MeshData data;
-    for (int i = 0; i < 8; ++i) data.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
-    data.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+std::shared_ptr<const MeshData> unitCube() {
+  static const std::shared_ptr<const MeshData> cube = [] {
+    auto data = std::make_shared<MeshData>();
+    for (int i = 0; i < 8; ++i) data->positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+    data->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return data;
   }();
   return cube;
@@ -69,41 +69,33 @@ unsigned boxObject(const Scene& scene, const Volume& volume) {
   return unsigned(scene.meshes.size() + std::size_t(&volume - scene.volumes.data()));
 }
 
-float interiorStepOf(const Scene& scene, float diagonal) {
-  if (scene.shadows.step > 0.0f) return scene.shadows.step;
-  float most = 0.0f;
-  for (const Mesh& mesh : scene.meshes) most = std::max(most, mesh.interiorExtinction);
+/// Fine enough for shadows in constant media of at most `extinction` and for their own fall-off.
+float interiorStepOf(const ShadowSettings& shadows, float extinction, float diagonal) {
+  if (shadows.step > 0.0f) return shadows.step;
   // linear nodes between samples of exp(-tau) are off by at most (step of tau)^2 / 8
-  const float opticalStep = 0.5f * std::sqrt(8.0f * std::max(scene.shadows.tolerance, 1e-3f));
-  const float step = diagonal / 512.0f;
-  return most > 0.0f ? std::clamp(opticalStep / most, diagonal / float(CDSM_MOST_STEPS), step) : step;
+  const float opticalStep = 0.5f * std::sqrt(8.0f * std::max(shadows.tolerance, 1e-3f));
+  const float most = std::max(diagonal, 1e-20f), step = most / 512.0f;
+  return extinction > 0.0f ? std::clamp(opticalStep / extinction, most / float(CDSM_MOST_STEPS), step) : step;
+}
+
+scene::Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject) {
+  scene::Bounds bounds;
+  for (const glm::vec3& p : data.positions) bounds.add(glm::vec3(worldFromObject * glm::vec4(p, 1.0f)));
+  return bounds;
 }
 
 }  // namespace
 
 void DeviceScene::clear() {
-  hostTriangles_.clear();
-  hostPositions_.clear();
-  hostNormals_.clear();
+  objectTriangles_.clear();
   hostObjects_.clear();
   objectMesh_.clear();
   mediumLists_.clear();
   hostMedia_.clear();
+  mediumOwner_.clear();
   extinctionLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
-}
-
-void DeviceScene::addTriangles(const MeshData& data, unsigned object, bool flip) {
-  const std::size_t first = hostPositions_.size() / 3;
-  if (first + data.positions.size() > 0xffffffffu || hostTriangles_.size() + data.triangles.size() > 0x7fffffffu)
-    throw Error("the scene has more than 2^31 triangles or 2^32 vertices, which their numbers cannot hold");
-  for (const glm::vec3& p : data.positions) hostPositions_.insert(hostPositions_.end(), {p.x, p.y, p.z});
-  for (const glm::vec3& n : data.normals) hostNormals_.insert(hostNormals_.end(), {n.x, n.y, n.z});
-  hostNormals_.resize(hostPositions_.size(), 0.0f);
-  const auto base = shared::uint(first);
-  for (const glm::uvec3& t : data.triangles)
-    hostTriangles_.push_back({base + t.x, base + (flip ? t.z : t.y), base + (flip ? t.y : t.z), object});
 }
 
 void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
@@ -127,6 +119,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
   mediumLists_.push_back(shared::uint(hostMedia_.size()));
   hostMedia_.push_back(medium);
+  mediumOwner_.push_back(boxObject(scene, volume));
 }
 
 void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
@@ -145,6 +138,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
     medium.boxObject = ~0u;
     mediumLists_.push_back(shared::uint(hostMedia_.size()));
     hostMedia_.push_back(medium);
+    mediumOwner_.push_back(unsigned(index));
   }
   for (const Volume& volume : scene.volumes)
     if (volume.boundary == int(index)) addVolumeMedium(scene, volume);
@@ -153,7 +147,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
   // entering and leaving are told by the turn of the triangles, so what encloses media must turn outwards
   const bool inward = object.mediumCount > 0 &&
                       (signedVolume(*mesh.data) < 0.0) != (glm::determinant(glm::mat3(mesh.worldFromObject)) < 0.0f);
-  addTriangles(*mesh.data, unsigned(hostObjects_.size()), inward);
+  objectTriangles_.push_back({mesh.data, inward});
   hostObjects_.push_back(object);
   objectMesh_.push_back(int(index));
 }
@@ -169,7 +163,7 @@ void DeviceScene::addBox(const Scene& scene, std::size_t index) {
     object.mediumCount = 1;
     addVolumeMedium(scene, volume);
   }
-  addTriangles(unitCube(), unsigned(hostObjects_.size()), glm::determinant(glm::mat3(matrix)) < 0.0f);
+  objectTriangles_.push_back({unitCube(), glm::determinant(glm::mat3(matrix)) < 0.0f});
   hostObjects_.push_back(object);
   objectMesh_.push_back(-1 - int(index));
 }
@@ -178,13 +172,27 @@ void DeviceScene::update(const Scene& scene) {
   clear();
   slots_.update(scene.volumes);
   scene_ = scene;
-  bounds_ = scene::worldBounds(scene);
-  interiorStep_ = interiorStepOf(scene, std::max(bounds_.diagonal(), 1e-20f));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) addMesh(scene, i);
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) addBox(scene, i);
+  updateBounds();
+  geometry_.update(objectTriangles_);
   upload();
-  for (const shared::MediumData& medium : hostMedia_) classify(medium);
+  classifyCells();
   requireSteps();
+}
+
+void DeviceScene::updateBounds() {
+  objectBounds_.resize(hostObjects_.size());
+  bounds_ = {};
+  for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
+    KnownBounds& known = objectBounds_[i];
+    const int mesh = objectMesh_[i];
+    const glm::mat4 matrix =
+        mesh >= 0 ? scene_.meshes[mesh].worldFromObject : worldFromUnitCube(scene_.volumes[-1 - mesh]);
+    if (known.data != objectTriangles_[i].data || known.worldFromObject != matrix)
+      known = {objectTriangles_[i].data, matrix, boundsOf(*objectTriangles_[i].data, matrix)};
+    bounds_.add(known.bounds);
+  }
 }
 
 void DeviceScene::requireSteps() const {
@@ -199,18 +207,77 @@ void DeviceScene::upload() {
     buffer = {};
     buffer = std::decay_t<decltype(buffer)>::fromHost(device_, values, name);
   };
-  put(triangles_, hostTriangles_, "triangles");
-  put(positions_, hostPositions_, "vertex positions");
-  put(normals_, hostNormals_, "vertex normals");
-  put(objects_, hostObjects_, "objects");
-  put(lists_, mediumLists_, "lists of media");
   put(media_, hostMedia_, "media");
   put(extinctions_, extinctionLut_, "extinction tables");
   put(colors_, colorLut_, "colour tables");
+  float extinction = 0.0f;
+  for (const Mesh& mesh : scene_.meshes) extinction = std::max(extinction, mesh.interiorExtinction);
+  all_ = makeSet(hostObjects_, mediumLists_, interiorStepOf(scene_.shadows, extinction, bounds_.diagonal()));
+}
+
+ObjectSet DeviceScene::makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
+                               float interiorStep) const {
+  ObjectSet set;
+  set.interiorStep = interiorStep;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].encloses) set.enclosing.push_back(std::uint32_t(i));
+    if (!objects[i].encloses && objects[i].diffuse.w <= 0.0f) continue;
+    const TriangleRange range = geometry_.rangeOf(i);
+    if (!set.triangles.empty() && set.triangles.back().first + set.triangles.back().count == range.first)
+      set.triangles.back().count += range.count;
+    else
+      set.triangles.push_back(range);
+  }
+  set.objects = device::Buffer<shared::ObjectData>::fromHost(device_, objects, "objects");
+  set.lists = device::Buffer<std::uint32_t>::fromHost(device_, lists, "lists of media");
+  return set;
+}
+
+ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) const {
+  std::vector<bool> casts(hostObjects_.size(), false), encloses(hostObjects_.size(), false);
+  scene::Bounds bounds;
+  float extinction = 0.0f;
+  for (const unsigned object : casters) {
+    casts[object] = true;
+    bounds.add(objectBounds_[object].bounds);
+    if (objectMesh_[object] >= 0) extinction = std::max(extinction, scene_.meshes[object].interiorExtinction);
+  }
+  std::vector<shared::ObjectData> objects = hostObjects_;
+  std::vector<std::uint32_t> lists;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    shared::ObjectData& object = objects[i];
+    if (!casts[i]) object.diffuse.w = 0.0f;
+    const auto first = shared::uint(lists.size());
+    for (unsigned k = 0; k < object.mediumCount; ++k) {
+      const std::uint32_t medium = mediumLists_[object.firstMedium + k];
+      if (!casts[mediumOwner_[medium]]) continue;
+      lists.push_back(medium);
+      encloses[i] = true;
+      if (hostMedia_[medium].boxObject != ~0u) encloses[hostMedia_[medium].boxObject] = true;
+    }
+    object.firstMedium = first;
+    object.mediumCount = shared::uint(lists.size()) - first;
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) objects[i].encloses = encloses[i];
+  return makeSet(std::move(objects), lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
+}
+
+void DeviceScene::classifyCells() {
+  Classified now;
+  now.extinctions = extinctionLut_;
+  for (const shared::MediumData& medium : hostMedia_) {
+    if (medium.size.w < 0) continue;
+    now.data.push_back(slots_.slot(medium.size.w).data);
+    now.tables.insert(now.tables.end(), {medium.lutScale, medium.lutBias, float(medium.lutOffset)});
+  }
+  if (classified_ == now) return;
+  classified_.reset();
   cells_ = {};
   cells_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
   cellsBefore_ = {};
   cellsBefore_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
+  for (const shared::MediumData& medium : hostMedia_) classify(medium);
+  classified_ = std::move(now);
 }
 
 void DeviceScene::classify(const shared::MediumData& medium) {
@@ -235,18 +302,28 @@ void DeviceScene::classify(const shared::MediumData& medium) {
   device_.finish();
 }
 
-device::ArgumentList DeviceScene::arguments(const device::Buffer<std::uint32_t>& initialObjects) const {
-  device::ArgumentList list{triangles_.cl(), positions_.cl(),   normals_.cl(), objects_.cl(), lists_.cl(),
-                            media_.cl(),     extinctions_.cl(), colors_.cl(),  cells_.cl(),   initialObjects.cl()};
+device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
+                                            const device::Buffer<std::uint32_t>& initialObjects) const {
+  device::ArgumentList list{geometry_.triangles().cl(),
+                            geometry_.positions().cl(),
+                            geometry_.normals().cl(),
+                            set.objects.cl(),
+                            set.lists.cl(),
+                            media_.cl(),
+                            extinctions_.cl(),
+                            colors_.cl(),
+                            cells_.cl(),
+                            initialObjects.cl()};
   const device::ArgumentList volumes = slots_.arguments();
   list.insert(list.end(), volumes.begin(), volumes.end());
   return list;
 }
 
-std::vector<std::uint32_t> DeviceScene::objectsAround(const glm::vec3& pointWorld) const {
+std::vector<std::uint32_t> DeviceScene::objectsAround(const std::vector<std::uint32_t>& objects,
+                                                      const glm::vec3& pointWorld) const {
   std::vector<std::uint32_t> around;
-  for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
-    if (!hostObjects_[i].encloses) continue;
+  for (const std::uint32_t i : objects) {
+    if (!objectBounds_[i].bounds.contains(pointWorld)) continue;
     const int mesh = objectMesh_[i];
     long times = 0;
     if (mesh >= 0) {
@@ -257,7 +334,7 @@ std::vector<std::uint32_t> DeviceScene::objectsAround(const glm::vec3& pointWorl
       const glm::dvec3 p(unitFromWorld * glm::dvec4(pointWorld, 1.0));
       times = glm::all(glm::greaterThan(p, glm::dvec3(0.0))) && glm::all(glm::lessThan(p, glm::dvec3(1.0)));
     }
-    around.insert(around.end(), std::size_t(times), std::uint32_t(i));
+    around.insert(around.end(), std::size_t(times), i);
   }
   return around;
 }

@@ -2,10 +2,14 @@
 // The scene on the device: triangles, objects, media, transfer tables and macrocells (shared/scene_data.h).
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <cdsm/scene.hpp>
 
+#include "build/geometry.hpp"
+#include "build/object_set.hpp"
 #include "build/volume_slots.hpp"
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
@@ -16,25 +20,27 @@ namespace cdsm::build {
 
 class DeviceScene {
  public:
-  explicit DeviceScene(device::Device& device) : device_(device), slots_(device) {}
+  explicit DeviceScene(device::Device& device) : device_(device), slots_(device), geometry_(device) {}
 
-  /// Uploads a valid scene. Voxels that the last scene used too are not uploaded again.
+  /// Uploads a valid scene. Voxels and triangles that the last scene used too are not uploaded again.
   void update(const Scene& scene);
 
   const VolumeSlots& slots() const { return slots_; }
-  const device::Buffer<shared::uint4>& triangles() const { return triangles_; }
-  const device::Buffer<float>& positions() const { return positions_; }
-  const device::Buffer<shared::ObjectData>& objects() const { return objects_; }
+  const Geometry& geometry() const { return geometry_; }
+
+  /// All objects, as the camera and points to be answered see them.
+  const ObjectSet& allObjects() const { return all_; }
+  /// What attenuates light if only these objects cast. Objects are numbered meshes first, then volumes.
+  ObjectSet castingObjects(const std::vector<unsigned>& casters) const;
 
   /// Arguments of CDSM_SCENE_PARAMS, in its order. `initialObjects`: the objects that contain the eye of the view.
-  device::ArgumentList arguments(const device::Buffer<std::uint32_t>& initialObjects) const;
+  device::ArgumentList arguments(const ObjectSet& set, const device::Buffer<std::uint32_t>& initialObjects) const;
 
-  /// Objects with media whose inside `pointWorld` is in; one that winds around it n times is listed n times.
-  std::vector<std::uint32_t> objectsAround(const glm::vec3& pointWorld) const;
+  /// Those of `objects` whose inside `pointWorld` is in; one that winds around it n times is listed n times.
+  std::vector<std::uint32_t> objectsAround(const std::vector<std::uint32_t>& objects,
+                                           const glm::vec3& pointWorld) const;
 
-  /// Host copies, for techniques that build structures of their own.
-  const std::vector<shared::uint4>& hostTriangles() const { return hostTriangles_; }
-  const std::vector<float>& hostPositions() const { return hostPositions_; }
+  /// Host copy, for techniques that build structures of their own.
   const std::vector<shared::ObjectData>& hostObjects() const { return hostObjects_; }
   /// True for the box of a volume.
   bool isBox(std::size_t object) const { return objectMesh_[object] < 0; }
@@ -42,16 +48,18 @@ class DeviceScene {
   std::vector<std::uint32_t> objectsOfMedia() const;
 
   const scene::Bounds& bounds() const { return bounds_; }
-  /// Ray step where a ray is in constant media only: fine enough for shadows in them and for their own fall-off.
-  float interiorStep() const { return interiorStep_; }
 
  private:
   void clear();
   void addMesh(const Scene& scene, std::size_t index);
   void addBox(const Scene& scene, std::size_t index);
   void addVolumeMedium(const Scene& scene, const Volume& volume);
-  void addTriangles(const MeshData& data, unsigned object, bool flip);
+  void updateBounds();
   void upload();
+  ObjectSet makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
+                    float interiorStep) const;
+  /// Classifies the macrocells of all volumes, unless their values and extinctions are as before.
+  void classifyCells();
   /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
   void classify(const shared::MediumData& medium);
@@ -59,23 +67,36 @@ class DeviceScene {
   device::Device& device_;
   Scene scene_;  ///< what is on the device
   VolumeSlots slots_;
+  Geometry geometry_;
+  ObjectSet all_;
   scene::Bounds bounds_;
-  float interiorStep_ = 0.0f;
 
-  std::vector<shared::uint4> hostTriangles_;
-  std::vector<float> hostPositions_, hostNormals_;
+  /// What an object's bounds were computed from.
+  struct KnownBounds {
+    std::shared_ptr<const MeshData> data;
+    glm::mat4 worldFromObject{1.0f};
+    scene::Bounds bounds;
+  };
+  std::vector<KnownBounds> objectBounds_;
+  std::vector<ObjectTriangles> objectTriangles_;
   std::vector<shared::ObjectData> hostObjects_;
   std::vector<int> objectMesh_;  ///< per object: its mesh, or -1 - volume for a volume's box
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
+  std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
   std::vector<float> extinctionLut_;
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
+  /// What the macrocells were classified from: data, table of extinctions, scale and bias of each volume.
+  struct Classified {
+    std::vector<std::shared_ptr<const VolumeData>> data;
+    std::vector<float> extinctions, tables;
+    bool operator==(const Classified& other) const {
+      return data == other.data && extinctions == other.extinctions && tables == other.tables;
+    }
+  };
+  std::optional<Classified> classified_;
 
-  device::Buffer<shared::uint4> triangles_;
-  device::Buffer<float> positions_, normals_;
-  device::Buffer<shared::ObjectData> objects_;
-  device::Buffer<std::uint32_t> lists_;
   device::Buffer<shared::MediumData> media_;
   device::Buffer<float> extinctions_;
   device::Buffer<shared::float4> colors_;

@@ -11,13 +11,21 @@
 
 namespace cdsm::build {
 
+/// A map to build, or to take over.
+struct MapJob {
+  shared::MapData map;  ///< where points land in it
+  shared::ViewData view;
+  std::vector<unsigned> casters;  ///< objects that cast in it
+  int kept = memory::kBuildAnew;  ///< number of the map before that it is
+};
+
 class MapPass {
  public:
   explicit MapPass(device::Device& device) : device_(device) {}
 
-  /// Builds one map per view into `memory`; returns where points land in them, in the order of the views.
-  std::vector<shared::MapData> run(const DeviceScene& scene, const std::vector<shared::ViewData>& views,
-                                   float tolerance, RasterPass& raster, memory::MemoryStrategy& memory,
+  /// Builds into `memory` the maps that are not taken over; returns them with the places of their nodes.
+  std::vector<shared::MapData> run(const DeviceScene& scene, const std::vector<MapJob>& jobs, float tolerance,
+                                   RasterPass& raster, memory::MemoryStrategy& memory,
                                    const RasterPass::Report& report);
 
  private:

@@ -43,17 +43,23 @@ RasterPass::RasterPass(device::Device& device)
   name(layers_.ranges, "fragment ranges");
 }
 
-void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report) {
-  const std::size_t triangles = scene.triangles().size();
+void RasterPass::setup(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                       const Report& report) {
+  std::size_t triangles = 0;
+  for (const TriangleRange& range : objects.triangles) triangles += range.count;
   screen_.reserve(triangles + 64);
   large_.reserve(screen_.size());
   for (;;) {
-    params_.triangleCount = shared::uint(triangles);
     params_.capacity = shared::uint(screen_.size());
     counters_.fill({});
-    setupTriangles_({"set up triangles", {triangles}, {kGroup}}, params_, view, scene.triangles(), scene.positions(),
-                    scene.objects(), screen_, counters_, large_);
+    for (const TriangleRange& range : objects.triangles) {
+      params_.firstTriangle = shared::uint(range.first);
+      params_.triangleCount = shared::uint(range.count);
+      setupTriangles_({"set up triangles", {range.count}, {kGroup}}, params_, view, scene.geometry().triangles(),
+                      scene.geometry().positions(), objects.objects, screen_, counters_, large_);
+    }
     const std::size_t wanted = counters_.read(0).screenTriangles;
+    screenTriangles_ = wanted;
     if (wanted <= screen_.size()) return;
     report("room for screen triangles grown from " + std::to_string(screen_.size()) + " to " + std::to_string(wanted) +
            ", clipping made more of them; triangles set up again");
@@ -65,7 +71,7 @@ void RasterPass::setup(const DeviceScene& scene, const shared::ViewData& view, c
 void RasterPass::countTiles(const shared::ViewData& view) {
   tilePairs_.fill(0);
   tileFragments_.fill(0);
-  countPairs_({"count tile pairs", {screen_.size()}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
+  countPairs_({"count tile pairs", {screenTriangles_}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
               tileFragments_);
   countPairsLarge_({"count tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
                    counters_, large_, tilePairs_, tileFragments_);
@@ -73,16 +79,17 @@ void RasterPass::countTiles(const shared::ViewData& view) {
 
 void RasterPass::fillTiles(const shared::ViewData& view) {
   tileCursor_.fill(0);
-  fillPairs_({"fill tile pairs", {screen_.size()}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
+  fillPairs_({"fill tile pairs", {screenTriangles_}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
              tileCursor_, masks_, owners_);
   fillPairsLarge_({"fill tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
                   counters_, large_, tileStart_, tileCursor_, masks_, owners_);
 }
 
-Layers& RasterPass::run(const DeviceScene& scene, shared::ViewData view, const Report& report) {
+Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view,
+                        const Report& report) {
   // asked where rays begin to see: what lies between the eye and the near plane has been passed by then
   const glm::vec3 eye(view.origin.x, view.origin.y, view.origin.z), axis(view.depth.x, view.depth.y, view.depth.z);
-  const auto around = scene.objectsAround(eye + view.nearDepth * axis);
+  const auto around = scene.objectsAround(objects.enclosing, eye + view.nearDepth * axis);
   view.initialCount = shared::uint(around.size());
   layers_.view = view;
   layers_.initialObjects = Uints::fromHost(device_, around, "objects around the eye");
@@ -95,7 +102,7 @@ Layers& RasterPass::run(const DeviceScene& scene, shared::ViewData view, const R
   tileFragmentStart_.reserve(tiles + 1);
   layers_.ranges.reserve(tiles * CDSM_TILE_PIXELS);
 
-  setup(scene, view, report);
+  setup(scene, objects, view, report);
   countTiles(view);
   const std::size_t pairs = scan_(tiles, tilePairs_, tileStart_);
   const std::size_t fragments = scan_(tiles, tileFragments_, tileFragmentStart_);

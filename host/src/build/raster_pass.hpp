@@ -29,15 +29,16 @@ class RasterPass {
 
   explicit RasterPass(device::Device& device);
 
-  /// Rasterizes the whole scene as seen from `view`. Tells `report` what had to be repeated for lack of room.
-  Layers& run(const DeviceScene& scene, shared::ViewData view, const Report& report);
+  /// Rasterizes these objects of the scene as seen from `view`. Tells `report` what had to be repeated for lack of
+  /// room.
+  Layers& run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view, const Report& report);
 
  private:
   using Uints = device::Buffer<std::uint32_t>;
   using Screen = device::Buffer<shared::ScreenTriangle>;
   using Counters = device::Buffer<shared::RasterCounters>;
 
-  void setup(const DeviceScene& scene, const shared::ViewData& view, const Report& report);
+  void setup(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view, const Report& report);
   void countTiles(const shared::ViewData& view);
   void fillTiles(const shared::ViewData& view);
 
@@ -45,6 +46,7 @@ class RasterPass {
   device::Scan scan_;
   Layers layers_;
   shared::SetupParams params_{};
+  std::size_t screenTriangles_ = 0;
   Screen screen_;
   Counters counters_;
   Uints large_, tilePairs_, tileFragments_, tileStart_, tileFragmentStart_, tileCursor_, owners_;

@@ -20,16 +20,11 @@ constexpr float kLeast = 1e-20f;  ///< world units, of a scene of one point
 
 glm::vec3 upFor(const glm::vec3& axis) { return std::abs(axis.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0); }
 
-/// What half a map has to cover -> half of it, with a texel more on each side.
-float withMargin(float half, int mapSize) { return half * float(mapSize) / float(mapSize - 2); }
-
 shared::ViewData viewAlong(const glm::vec3& axis, const Light& light, float tangent, const scene::Bounds& bounds,
                            int mapSize) {
-  // a wide floor must not push the near plane into what a spot is aimed at
-  const float aim = light.type == LightType::Spot ? glm::distance(light.position, light.target) : INFINITY;
-  const float nearDepth = std::max(kNearPart * std::min(bounds.diagonal(), aim), kLeast);
   const float half = withMargin(tangent, mapSize);
-  return scene::perspectiveView(light.position, axis, upFor(axis), half, half, mapSize, mapSize, nearDepth);
+  return scene::perspectiveView(light.position, axis, upFor(axis), half, half, mapSize, mapSize,
+                                lightNearDepth(light, bounds));
 }
 
 /// The scene as parallel light sees it, around its centre.
@@ -59,6 +54,25 @@ shared::ViewData parallelView(const Light& light, const scene::Bounds& bounds, i
 
 }  // namespace
 
+float withMargin(float half, int mapSize) { return half * float(mapSize) / float(mapSize - 2); }
+
+float lightNearDepth(const Light& light, const scene::Bounds& bounds) {
+  // a wide floor must not push the near plane into what a spot is aimed at
+  const float aim = light.type == LightType::Spot ? glm::distance(light.position, light.target) : INFINITY;
+  return std::max(kNearPart * std::min(bounds.diagonal(), aim), kLeast);
+}
+
+double planeMargin(double nearest, double farthest) {
+  const double rounding = kRoundingPart * std::max(std::abs(nearest), std::abs(farthest));
+  return std::max({kPlanePart * (farthest - nearest), rounding, double(kLeast)});
+}
+
+float farthestDepth(const shared::ViewData& view, const scene::Bounds& bounds) {
+  const glm::vec3 axis(view.depth.x, view.depth.y, view.depth.z);
+  const glm::vec3 corner = glm::mix(bounds.low, bounds.high, glm::vec3(glm::greaterThan(axis, glm::vec3(0.0f))));
+  return std::max(glm::dot(axis, corner) + view.depth.w, view.nearDepth);
+}
+
 std::vector<shared::ViewData> lightViews(const Light& light, const scene::Bounds& bounds, int mapSize) {
   if (light.type == LightType::Directional) return {parallelView(light, bounds, mapSize)};
   if (light.type == LightType::Spot) {
@@ -74,12 +88,11 @@ std::vector<shared::ViewData> lightViews(const Light& light, const scene::Bounds
   return views;
 }
 
-shared::LightData lightData(const Light& light, const scene::Bounds& bounds, unsigned firstMap, unsigned mapCount) {
+shared::LightData lightData(const Light& light, const scene::Bounds& bounds) {
   shared::LightData data{};
   data.position = {light.position, 1.0f};
   data.color = {light.color, 0.0f};
-  data.firstMap = firstMap;
-  data.mapCount = mapCount;
+  data.share = 1.0f;
   data.type = CDSM_LIGHT_SPOT;
   if (light.type == LightType::Spot)
     data.axis = {glm::normalize(light.target - light.position), std::tan(glm::radians(light.cutoff))};
@@ -94,7 +107,7 @@ shared::LightData lightData(const Light& light, const scene::Bounds& bounds, uns
   return data;
 }
 
-shared::MapData mapData(const shared::ViewData& view) {
+shared::MapData mapData(const shared::ViewData& view, shared::uint face) {
   shared::MapData map{};
   map.texelU = view.pixelU;
   map.texelV = view.pixelV;
@@ -108,6 +121,8 @@ shared::MapData mapData(const shared::ViewData& view) {
   map.dirV = view.dirV;
   map.width = view.width;
   map.height = view.height;
+  map.nearDepth = view.nearDepth;
+  map.face = face;
   return map;
 }
 

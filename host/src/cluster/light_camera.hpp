@@ -18,11 +18,25 @@ namespace cdsm::cluster {
 /// `bounds`: of all that casts; `mapSize`: texels per side.
 std::vector<shared::ViewData> lightViews(const Light& light, const scene::Bounds& bounds, int mapSize);
 
-/// The light for the kernels, with its maps.
-shared::LightData lightData(const Light& light, const scene::Bounds& bounds, unsigned firstMap, unsigned mapCount);
+/// The light for the kernels, without its maps.
+shared::LightData lightData(const Light& light, const scene::Bounds& bounds);
 
-/// Where points land in the map of a view. Offsets into memory are the memory strategy's to fill in.
-shared::MapData mapData(const shared::ViewData& view);
+/// Where points land in the map of a view, those on one side of an omni light or all. Offsets into memory are the
+/// memory strategy's to fill in.
+shared::MapData mapData(const shared::ViewData& view, shared::uint face);
+
+/// Nothing nearer to a spot or omni light than this casts a shadow, world units. `bounds`: of what casts.
+float lightNearDepth(const Light& light, const scene::Bounds& bounds);
+
+/// What half a map has to cover -> half of it, with a texel more on each side.
+float withMargin(float half, int mapSize);
+
+/// How far the plane of a parallel camera lies in front of what it sees, which reaches from depth `nearest` to
+/// `farthest`.
+double planeMargin(double nearest, double farthest);
+
+/// Depth of the farthest corner of the bounds; the near plane's where all of them lie in front of it.
+float farthestDepth(const shared::ViewData& view, const scene::Bounds& bounds);
 
 /// Full field of view of a map with square texels in degrees; 0 for parallel light.
 double mapFov(const shared::ViewData& view);

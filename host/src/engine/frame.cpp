@@ -11,14 +11,6 @@
 
 namespace cdsm::engine {
 
-namespace {
-
-/// Nothing nearer to the camera than this part of the scene's size is seen, or of the way to the target if that is
-/// less: a wide floor must not hide what stands on it.
-constexpr float kNearPart = 1e-5f;
-
-}  // namespace
-
 FrameState::FrameState(const EngineOptions& options)
     : options_(options),
       device_(device::Device::open(options.device, options.fetch)),
@@ -37,17 +29,16 @@ void FrameState::check(const Scene& scene) const {
 
 Image FrameState::render(const Scene& scene) {
   beginStats();
-  prepare(scene);
+  prepare(scene, cluster::Purpose::Image);
 
   progress("render", 0.0f);
   device_->profiler().beginGroup("render");
   const int rays = scene.image.supersampling;
-  const float sceneSize = deviceScene_.bounds().diagonal();
-  const float viewLength = glm::distance(scene.camera.position, scene.camera.target);
-  const float nearDepth = std::max(kNearPart * std::min(sceneSize, viewLength), 1e-20f);
+  const float nearDepth = scene::cameraNearDepth(scene.camera, deviceScene_.bounds());
   const shared::ViewData view =
       scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
-  build::Layers& layers = raster_.run(deviceScene_, view, [this](const std::string& what) { report(what); });
+  build::Layers& layers =
+      raster_.run(deviceScene_, deviceScene_.allObjects(), view, [this](const std::string& what) { report(what); });
   const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
   stats_.shadedSamples = shaded.shadedSamples;
   Image image = resolve(shaded.pixels, scene.image);
@@ -60,7 +51,7 @@ Image FrameState::render(const Scene& scene) {
 std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,
                                                      const std::vector<glm::vec3>& points) {
   beginStats();
-  prepare(scene);
+  prepare(scene, cluster::Purpose::Points);
   device_->profiler().beginGroup("render");
   const std::vector<float> values = query_.run(scene, deviceScene_, light, points, lights_, *technique_);
   std::vector<Transmittance> results;
@@ -70,13 +61,17 @@ std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::si
   return results;
 }
 
-void FrameState::prepare(const Scene& scene) {
+void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   const std::optional<Scene> before = std::exchange(current_, std::nullopt);
   const bool objects = before && scene::sameObjects(*before, scene);
   if (!objects) uploadObjects(scene);
-  regenerated_ =
-      !objects || !scene::sameLightShapes(*before, scene) || !scene::sameMapSettings(before->shadows, scene.shadows);
-  if (regenerated_) prepareTechnique(scene);
+  const bool technique =
+      before && before->shadows.technique == scene.shadows.technique && before->shadows.memory == scene.shadows.memory;
+  if (!technique) {
+    technique_.reset();
+    technique_ = technique::makeTechnique(scene.shadows, *device_);
+  }
+  prepareTechnique(scene, purpose, !objects || !technique);
   uploadLights(scene);
   current_ = scene;
 }
@@ -87,19 +82,18 @@ void FrameState::uploadObjects(const Scene& scene) {
   deviceScene_.update(scene);
 }
 
-void FrameState::prepareTechnique(const Scene& scene) {
+void FrameState::prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged) {
   progress("shadows", 0.0f);
-  technique_.reset();
-  technique_ = technique::makeTechnique(scene.shadows, *device_);
   device_->profiler().beginGroup("build maps");
-  technique_->prepare(scene, deviceScene_, raster_, [this](const std::string& what) { report(what); });
+  const build::RasterPass::Report report = [this](const std::string& what) { this->report(what); };
+  technique_->prepare({scene, deviceScene_, raster_, report, purpose, objectsChanged});
 }
 
 void FrameState::uploadLights(const Scene& scene) {
   std::vector<shared::LightData> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const shared::uint2 maps = technique_->mapsOf(i);
-    lights.push_back(cluster::lightData(scene.lights[i], deviceScene_.bounds(), maps.x, maps.y));
+    lights.push_back(cluster::lightData(scene.lights[i], deviceScene_.bounds()));
+    technique_->describeLight(i, lights.back());
   }
   lights_ = device::Buffer<shared::LightData>::fromHost(*device_, lights, "lights");
 }
@@ -118,7 +112,7 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
-  technique_->addStats(scene, regenerated_, stats_);
+  technique_->addStats(scene, stats_);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
 }
 

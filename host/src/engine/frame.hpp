@@ -33,9 +33,9 @@ class FrameState {
 
  private:
   /// Brings the device up to date with a scene: objects, then maps, each only if it changed.
-  void prepare(const Scene& scene);
+  void prepare(const Scene& scene, cluster::Purpose purpose);
   void uploadObjects(const Scene& scene);
-  void prepareTechnique(const Scene& scene);
+  void prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged);
   void uploadLights(const Scene& scene);
   void beginStats();
   void finishStats(const Scene& scene);
@@ -51,7 +51,6 @@ class FrameState {
   std::unique_ptr<technique::ShadowTechnique> technique_;
   device::Buffer<shared::LightData> lights_;
   std::optional<Scene> current_;  ///< what all of it was made for; empty after an error
-  bool regenerated_ = false;      ///< maps were built for this frame
   FrameStats stats_;
   std::chrono::steady_clock::time_point begun_;
 };

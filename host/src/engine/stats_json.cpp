@@ -16,10 +16,10 @@ using Json = nlohmann::ordered_json;
 std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json mapJson(const MapStats& map) {
-  return {{"cluster", map.cluster},        {"objects", map.objects},      {"regenerated", map.regenerated},
-          {"texels", map.texels},          {"nodes_mean", map.nodesMean}, {"nodes_max", map.nodesMax},
-          {"nodes_total", map.nodesTotal}, {"fov_x", map.fovX},           {"fov_y", map.fovY},
-          {"near", map.nearDepth},         {"far", map.farDepth}};
+  return {{"cluster", map.cluster},    {"objects", map.objects},        {"regenerated", map.regenerated},
+          {"reason", map.reason},      {"texels", map.texels},          {"nodes_mean", map.nodesMean},
+          {"nodes_max", map.nodesMax}, {"nodes_total", map.nodesTotal}, {"fov_x", map.fovX},
+          {"fov_y", map.fovY},         {"near", map.nearDepth},         {"far", map.farDepth}};
 }
 
 Json lightsJson(const std::vector<LightStats>& lights) {

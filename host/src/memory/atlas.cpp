@@ -2,6 +2,9 @@
 #include "memory/atlas.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "device/copy.hpp"
 
 namespace cdsm::memory {
 
@@ -14,49 +17,92 @@ constexpr int kMostTexels = 2048;  ///< t_max, along x and y [Knecht 2011, eq. 4
 
 Atlas::Atlas(device::Device& device) : device_(device), layers_(kFirstLayers), counters_(device, 1, "build counters") {}
 
-void Atlas::reserve(std::vector<shared::MapData>& maps) {
-  const int count = std::max(1, int(maps.size())), side = maps.empty() ? 1 : maps[0].width;
-  const int columns = std::max(1, kMostTexels / side);
+void Atlas::arrange(std::vector<shared::MapData>& maps) {
+  const int count = std::max(1, int(maps.size())), columns = std::max(1, kMostTexels / side_);
   // maps fill rows, then columns, then go on behind the layers of the first ones [Knecht 2011, eqs. 4.7, 4.8]
-  size_.x = side * std::min(count, columns);
-  size_.y = side * std::min((count + columns - 1) / columns, columns);
+  size_.x = side_ * std::min(count, columns);
+  size_.y = side_ * std::min((count + columns - 1) / columns, columns);
   size_.z = layers_;
   size_.w = layers_ * ((count + columns * columns - 1) / (columns * columns));
   for (int i = 0; i < int(maps.size()); ++i) {
-    maps[i].atlasOffset = {side * (i % columns), side * (i / columns % columns), layers_ * (i / (columns * columns)),
+    maps[i].atlasOffset = {side_ * (i % columns), side_ * (i / columns % columns), layers_ * (i / (columns * columns)),
                            0};
-    maps[i].firstTexel = shared::uint(i) * shared::uint(side) * shared::uint(side);
+    maps[i].firstTexel = shared::uint(i) * shared::uint(side_) * shared::uint(side_);
+    placed_[i].offset = maps[i].atlasOffset;
   }
+}
+
+void Atlas::moveNodes(const std::vector<Place>& before, const std::vector<int>& from, const shared::int4& sizeBefore) {
   const std::size_t nodes = poolSize(device_, std::size_t(size_.x) * size_.y * size_.w);
   if (nodes > 0xffffffffu)
     throw DeviceError("the atlas needs " + std::to_string(nodes) +
-                      " nodes, more than 2^32; take smaller maps, a larger "
-                      "tolerance or another memory strategy");
-  if (nodes_.size() != nodes) {
-    nodes_ = {};
-    nodes_ = device::Buffer<shared::float2>(device_, nodes, "atlas of nodes");
+                      " nodes, more than 2^32; take smaller maps, a larger tolerance or another memory strategy");
+  const std::size_t texels = std::size_t(side_) * side_;
+  bool inPlace = nodes_.size() == nodes && before.size() == placed_.size();
+  bool none = true;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i] == kBuildAnew) continue;
+    none = false;
+    inPlace =
+        inPlace && from[i] == int(i) && sizeBefore.x == size_.x && sizeBefore.y == size_.y && sizeBefore.z == size_.z;
   }
-  counts_ = device::Buffer<std::uint32_t>(device_, std::size_t(side) * side * maps.size(), "nodes per texel");
-  totals_.assign(maps.size(), {});
+  if (inPlace) return;
+  if (none) {
+    nodes_ = {};
+    counts_ = {};
+  }
+  device::Buffer<shared::float2> moved(device_, nodes, "atlas of nodes");
+  device::Buffer<std::uint32_t> counts(device_, texels * placed_.size(), "nodes per texel");
+  const std::size_t layers = std::size_t(std::min(sizeBefore.z, size_.z)) / 2;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i] == kBuildAnew) continue;
+    const auto placeIn = [](const shared::int4& size, const shared::int4& offset) {
+      return device::GridPlace{2 * std::size_t(offset.x), std::size_t(offset.y), std::size_t(offset.z) / 2,
+                               2 * std::size_t(size.x), std::size_t(size.y)};
+    };
+    device::copyBox(device_, nodes_, placeIn(sizeBefore, before[from[i]].offset), moved,
+                    placeIn(size_, placed_[i].offset), {2 * std::size_t(side_), std::size_t(side_), layers});
+    device::copyElements(device_, counts_, std::size_t(from[i]) * texels, texels, counts, i * texels);
+  }
+  nodes_ = std::move(moved);
+  counts_ = std::move(counts);
+}
+
+void Atlas::reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) {
+  const std::vector<Place> before = std::exchange(placed_, std::vector<Place>(maps.size()));
+  const shared::int4 sizeBefore = size_;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i] != kBuildAnew) placed_[i] = before[kept[i]];
+  side_ = maps.empty() ? 1 : maps[0].width;
+  arrange(maps);
+  moveNodes(before, kept, sizeBefore);
 }
 
 void Atlas::beginMap() { counters_.fill({}); }
 
-MapOutcome Atlas::finishMap(std::size_t index, shared::MapData& map, std::string& why) {
+bool Atlas::finishMap(std::size_t index, std::vector<shared::MapData>& maps, std::string& why) {
   const int most = int(counters_.read(0).maxNodes);
   if (most > layers_) {
     why = "layers of the atlas raised from " + std::to_string(layers_) + " to " + std::to_string(most) +
-          ", a texel needs them; maps built again";
+          ", a texel needs them; map built again";
     layers_ = (most + 1) / 2 * 2;
-    return MapOutcome::BuildAllAgain;
+    const std::vector<Place> before = placed_;
+    const shared::int4 sizeBefore = size_;
+    std::vector<int> from;
+    for (std::size_t i = 0; i < placed_.size(); ++i) from.push_back(placed_[i].filled ? int(i) : kBuildAnew);
+    arrange(maps);
+    moveNodes(before, from, sizeBefore);
+    return false;
   }
-  const std::size_t texels = std::size_t(map.width) * map.height;
-  NodeCounts& total = totals_[index];
-  for (const std::uint32_t count : counts_.download(texels, map.firstTexel)) {
-    total.total += count;
-    total.most = std::max<std::uint64_t>(total.most, count);
+  const std::size_t texels = std::size_t(side_) * side_;
+  Place& place = placed_[index];
+  place.filled = true;
+  place.nodes = {};
+  for (const std::uint32_t count : counts_.download(texels, index * texels)) {
+    place.nodes.total += count;
+    place.nodes.most = std::max<std::uint64_t>(place.nodes.most, count);
   }
-  return MapOutcome::Complete;
+  return true;
 }
 
 void Atlas::finish() { readable_.finish(device_, nodes_); }
@@ -76,7 +122,7 @@ MemoryStats Atlas::stats() const {
   stats.strategy = "atlas";
   stats.bytesReserved = nodes_.bytes() + counts_.bytes();
   stats.bytesUsed = counts_.bytes();
-  for (const NodeCounts& map : totals_) stats.bytesUsed += map.total * sizeof(shared::float2);
+  for (const Place& map : placed_) stats.bytesUsed += map.nodes.total * sizeof(shared::float2);
   stats.bytesWasted = stats.bytesReserved - stats.bytesUsed;
   stats.bytesPerNode = sizeof(shared::float2);
   return stats;

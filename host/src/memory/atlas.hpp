@@ -7,27 +7,39 @@
 
 namespace cdsm::memory {
 
-/// Layers are added, and all maps built again, when a texel needs more than there are.
+/// Layers are added when a texel needs more than there are: then the maps move to a taller grid.
 class Atlas : public MemoryStrategy {
  public:
   explicit Atlas(device::Device& device);
 
   const char* kernelFile() const override { return "memory/atlas.clh"; }
-  void reserve(std::vector<shared::MapData>& maps) override;
+  void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) override;
   void beginMap() override;
-  MapOutcome finishMap(std::size_t index, shared::MapData& map, std::string& why) override;
+  bool finishMap(std::size_t index, std::vector<shared::MapData>& maps, std::string& why) override;
   void finish() override;
   shared::MemoryParams params() const override;
   device::ArgumentList writeArguments() const override;
   device::ArgumentList readArguments() const override;
-  NodeCounts nodeCounts(std::size_t index) const override { return totals_[index]; }
+  NodeCounts nodeCounts(std::size_t index) const override { return placed_[index].nodes; }
   MemoryStats stats() const override;
 
  private:
+  struct Place {
+    shared::int4 offset{};  ///< MapData::atlasOffset
+    bool filled = false;
+    NodeCounts nodes;
+  };
+
+  /// Places for maps of `side` texels a side, in a grid of `layers_` layers each.
+  void arrange(std::vector<shared::MapData>& maps);
+  /// Gives the places of `placed_` a grid, and takes over what `from` says: number in `before`, or kBuildAnew.
+  void moveNodes(const std::vector<Place>& before, const std::vector<int>& from, const shared::int4& sizeBefore);
+
   device::Device& device_;
   int layers_;
+  int side_ = 1;         ///< texels of each map
   shared::int4 size_{};  ///< texels along x and y, layers of one map, layers of all
-  std::vector<NodeCounts> totals_;
+  std::vector<Place> placed_;
   device::Buffer<shared::float2> nodes_;
   device::Buffer<std::uint32_t> counts_;
   device::Buffer<shared::BuildCounters> counters_;

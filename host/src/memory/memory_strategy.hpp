@@ -22,15 +22,11 @@ struct NodeCounts {
   std::uint64_t most = 0;  ///< of a texel
 };
 
-/// What became of a map that was just built.
-enum class MapOutcome {
-  Complete,
-  BuildAgain,     ///< room was made: build this map again
-  BuildAllAgain,  ///< making room moved every map: reserve() and build them all again
-};
+/// In place of the number of a map that is taken over.
+constexpr int kBuildAnew = -1;
 
-/// The nodes of all maps. Use: reserve() once for all maps; then for each map beginMap(), the build kernel with
-/// writeArguments(), finishMap(); finish() after the last one; then readArguments().
+/// The nodes of all maps. Use: reserve() once for all maps; then for each map that is not taken over beginMap(), the
+/// build kernel with writeArguments(), finishMap(); finish() after the last one; then readArguments().
 class MemoryStrategy {
  public:
   virtual ~MemoryStrategy() = default;
@@ -38,12 +34,13 @@ class MemoryStrategy {
   /// Path of the kernel file.
   virtual const char* kernelFile() const = 0;
 
-  /// Makes room for these maps and says in each where its part of the bookkeeping is. Throws DeviceError if that is too
-  /// much.
-  virtual void reserve(std::vector<shared::MapData>& maps) = 0;
+  /// Makes room for these maps and says in each where its part of the bookkeeping is. kept[i]: number, among the maps
+  /// before, of the one whose nodes map i takes over, or kBuildAnew. Throws DeviceError if that is too much.
+  virtual void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) = 0;
   virtual void beginMap() = 0;
-  /// Says in `map` where its nodes are. Unless it is complete, the reason goes to `why`.
-  virtual MapOutcome finishMap(std::size_t index, shared::MapData& map, std::string& why) = 0;
+  /// Says in `maps` where the nodes of map `index` are. False: room was made, the map has to be built again; the reason
+  /// is in `why`.
+  virtual bool finishMap(std::size_t index, std::vector<shared::MapData>& maps, std::string& why) = 0;
   virtual void finish() = 0;
 
   virtual shared::MemoryParams params() const = 0;

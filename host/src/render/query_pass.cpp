@@ -17,7 +17,8 @@ std::vector<float> QueryPass::run(const Scene& scene, const build::DeviceScene& 
   QueryKernel queryPoints(
       device_, build::sceneProgram(device_, deviceScene, "render/query.cl", technique.kernelFiles()), "queryPoints");
   queryPoints({"query points", {points.size()}, {64}}, {shared::uint(points.size()), shared::uint(light)}, pointBuffer,
-              values, lights, technique.params(scene), technique.arguments(), deviceScene.arguments(noObjects));
+              values, lights, technique.params(scene), technique.arguments(),
+              deviceScene.arguments(deviceScene.allObjects(), noObjects));
   return values.download();
 }
 

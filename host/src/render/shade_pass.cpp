@@ -16,7 +16,7 @@ shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& de
   shared::ShadeParams params{};
   params.view = view;
   params.ambient = {scene.image.ambient, 0.0f};
-  params.interiorStep = deviceScene.interiorStep();
+  params.interiorStep = deviceScene.allObjects().interiorStep;
   params.bias = scene.shadows.bias > 0.0f ? scene.shadows.bias : kBiasPart * deviceScene.bounds().diagonal();
   params.lightCount = shared::uint(scene.lights.size());
   params.lookupTolerance = scene.shadows.tolerance;
@@ -45,7 +45,7 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
   const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
   shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, shadeParams(scene, deviceScene, view), layers.fragments,
               layers.ranges, lights, image_, samples_, technique.params(scene), technique.arguments(),
-              deviceScene.arguments(layers.initialObjects));
+              deviceScene.arguments(deviceScene.allObjects(), layers.initialObjects));
   ShadedView shaded;
   shaded.pixels = image_.download();
   const auto samples = samples_.download();

@@ -16,7 +16,6 @@ auto key(const Mesh& m) {
 }
 auto key(const TransferFunction::OpacityPoint& p) { return std::tie(p.value, p.opacity); }
 auto key(const TransferFunction::ColorPoint& p) { return std::tie(p.value, p.color); }
-auto key(const Light& l) { return std::tie(l.type, l.position, l.target, l.direction, l.cutoff); }
 
 template <class T>
 bool sameLists(const std::vector<T>& a, const std::vector<T>& b);
@@ -50,11 +49,47 @@ bool sameObjects(const Scene& a, const Scene& b) {
          a.shadows.step == b.shadows.step && a.shadows.tolerance == b.shadows.tolerance;
 }
 
-bool sameLightShapes(const Scene& a, const Scene& b) { return sameLists(a.lights, b.lights); }
+bool sameObjectNames(const Scene& a, const Scene& b) {
+  const auto sameNames = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](const auto& p, const auto& q) { return p.name == q.name; });
+  };
+  return sameNames(a.meshes, b.meshes) && sameNames(a.volumes, b.volumes);
+}
+
+CasterChange casterChange(const Scene& a, const Scene& b, unsigned object) {
+  if (object < a.meshes.size()) {
+    const auto caster = [&](const Scene& scene) {
+      const Mesh& m = scene.meshes[object];
+      return std::tie(m.data, m.worldFromObject, m.interiorExtinction, m.shadow.casts,
+                      scene.materials[m.material].opacity);
+    };
+    return caster(a) == caster(b) ? CasterChange::None : CasterChange::Other;
+  }
+  const Volume &v = a.volumes[object - a.meshes.size()], &w = b.volumes[object - a.meshes.size()];
+  const auto grid = [](const Volume& x) { return std::tie(x.data, x.worldFromObject, x.boundary, x.shadow.casts); };
+  if (grid(v) != grid(w)) return CasterChange::Other;
+  if (v.boundary >= 0) {
+    const Mesh &m = a.meshes[v.boundary], &n = b.meshes[v.boundary];
+    if (m.data != n.data || m.worldFromObject != n.worldFromObject) return CasterChange::Other;
+  }
+  const TransferFunction &s = v.transfer, &t = w.transfer;
+  const bool same = s.unitDistance == t.unitDistance && sameLists(s.opacity, t.opacity);
+  return same ? CasterChange::None : CasterChange::TransferFunction;
+}
+
+LightChange lightChange(const Light& a, const Light& b) {
+  if (a.type != b.type) return LightChange::Other;
+  if (a.type == LightType::Directional) return a.direction == b.direction ? LightChange::None : LightChange::Turned;
+  if (a.position != b.position) return LightChange::Moved;
+  if (a.type == LightType::Omni) return LightChange::None;
+  if (a.target != b.target) return LightChange::Turned;
+  return a.cutoff == b.cutoff ? LightChange::None : LightChange::Cone;
+}
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
-  return std::tie(a.technique, a.memory, a.mapSize, a.tolerance) ==
-         std::tie(b.technique, b.memory, b.mapSize, b.tolerance);
+  return std::tie(a.technique, a.memory, a.mapSize, a.tolerance, a.step) ==
+         std::tie(b.technique, b.memory, b.mapSize, b.tolerance, b.step);
 }
 
 }  // namespace cdsm::scene

@@ -9,8 +9,20 @@ namespace cdsm::scene {
 /// Meshes, volumes and materials, and what of the settings goes into them.
 bool sameObjects(const Scene& a, const Scene& b);
 
-/// Positions, directions and cones; not the colours.
-bool sameLightShapes(const Scene& a, const Scene& b);
+/// Meshes and volumes of the same names in the same order.
+bool sameObjectNames(const Scene& a, const Scene& b);
+
+/// How an object attenuates light; what only colours it does not count.
+enum class CasterChange { None, TransferFunction, Other };
+
+/// Of an object (numbered meshes first, then volumes) of two scenes with the same names. The mesh that cuts a volume
+/// belongs to the volume.
+CasterChange casterChange(const Scene& a, const Scene& b, unsigned object);
+
+/// Where a light is and where it shines; not its colour.
+enum class LightChange { None, Moved, Turned, Cone, Other };
+
+LightChange lightChange(const Light& a, const Light& b);
 
 /// Settings that go into maps.
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b);

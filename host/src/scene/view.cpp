@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/constants.hpp>
@@ -10,6 +11,15 @@ namespace cdsm::scene {
 void Bounds::add(const glm::vec3& point) {
   low = glm::min(low, point);
   high = glm::max(high, point);
+}
+
+void Bounds::add(const Bounds& other) {
+  low = glm::min(low, other.low);
+  high = glm::max(high, other.high);
+}
+
+bool Bounds::contains(const glm::vec3& point) const {
+  return glm::all(glm::lessThanEqual(low, point)) && glm::all(glm::lessThanEqual(point, high));
 }
 
 float Bounds::diagonal() const { return low.x <= high.x ? glm::length(high - low) : 0.0f; }
@@ -32,6 +42,10 @@ Bounds worldBounds(const Scene& scene) {
 }
 
 namespace {
+
+/// Nothing nearer to the camera than this part of the scene's size is seen, or of the way to the target if that is
+/// less: a wide floor must not hide what stands on it.
+constexpr float kNearPart = 1e-5f;
 
 /// Sizes, and what else views of any kind share.
 shared::ViewData viewOfSize(int width, int height, float nearDepth) {
@@ -79,6 +93,11 @@ shared::ViewData parallelView(const glm::vec3& eye, const glm::vec3& forward, co
   view.originV = {down / scaleY, 0.0f};
   view.dir = {forward, 0.0f};
   return view;
+}
+
+float cameraNearDepth(const Camera& camera, const Bounds& bounds) {
+  const float viewLength = glm::distance(camera.position, camera.target);
+  return std::max(kNearPart * std::min(bounds.diagonal(), viewLength), 1e-20f);
 }
 
 shared::ViewData cameraView(const Camera& camera, int width, int height, float nearDepth) {

@@ -14,6 +14,8 @@ struct Bounds {
   glm::vec3 high{-INFINITY};
 
   void add(const glm::vec3& point);
+  void add(const Bounds& other);
+  bool contains(const glm::vec3& point) const;
   /// Length of the diagonal; 0 if empty.
   float diagonal() const;
 };
@@ -33,6 +35,9 @@ shared::ViewData perspectiveView(const glm::vec3& eye, const glm::vec3& forward,
 /// halfY: half widths of the picture in world units. Nothing behind the plane is seen.
 shared::ViewData parallelView(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& right, float halfX,
                               float halfY, int width, int height);
+
+/// Nothing nearer to the camera than this is seen. `bounds`: of all that is drawn.
+float cameraNearDepth(const Camera& camera, const Bounds& bounds);
 
 /// The camera's view of `width` x `height` rays.
 shared::ViewData cameraView(const Camera& camera, int width, int height, float nearDepth);

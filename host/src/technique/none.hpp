@@ -9,12 +9,11 @@ namespace cdsm::technique {
 class None : public ShadowTechnique {
  public:
   build::Defines kernelFiles() const override { return {{"CDSM_TECHNIQUE", "\"technique/none.clh\""}}; }
-  void prepare(const Scene&, const build::DeviceScene&, build::RasterPass&, const build::RasterPass::Report&) override {
-  }
-  shared::uint2 mapsOf(std::size_t) const override { return {}; }
+  void prepare(const Preparation&) override {}
+  void describeLight(std::size_t, shared::LightData&) const override {}
   shared::TechniqueParams params(const Scene&) const override { return {}; }
   device::ArgumentList arguments() const override { return {}; }
-  void addStats(const Scene&, bool, FrameStats&) const override {}
+  void addStats(const Scene&, FrameStats&) const override {}
 };
 
 }  // namespace cdsm::technique

@@ -12,7 +12,7 @@ namespace {
 float dotPoint(const shared::float4& row, const float* p) { return row.x * p[0] + row.y * p[1] + row.z * p[2] + row.w; }
 
 shared::float4 worldCorner(const build::DeviceScene& scene, const shared::ObjectData& object, unsigned corner) {
-  const float* p = scene.hostPositions().data() + 3 * std::size_t(corner);
+  const float* p = scene.geometry().hostPositions().data() + 3 * std::size_t(corner);
   const shared::Affine& m = object.worldFromObject;
   return {dotPoint(m.x, p), dotPoint(m.y, p), dotPoint(m.z, p), 0.0f};
 }
@@ -20,7 +20,7 @@ shared::float4 worldCorner(const build::DeviceScene& scene, const shared::Object
 /// Surfaces and what encloses an interior or cuts a volume. Boxes of volumes are met by formula.
 std::vector<shared::BvhTriangle> castingTriangles(const build::DeviceScene& scene) {
   std::vector<shared::BvhTriangle> triangles;
-  for (const shared::uint4& t : scene.hostTriangles()) {
+  for (const shared::uint4& t : scene.geometry().hostTriangles()) {
     const shared::ObjectData& object = scene.hostObjects()[t.w];
     if (scene.isBox(t.w) || (object.diffuse.w <= 0.0f && object.mediumCount == 0)) continue;
     shared::BvhTriangle triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
@@ -33,23 +33,32 @@ std::vector<shared::BvhTriangle> castingTriangles(const build::DeviceScene& scen
 
 }  // namespace
 
-void ShadowRays::prepare(const Scene& scene, const build::DeviceScene& deviceScene, build::RasterPass&,
-                         const build::RasterPass::Report&) {
-  const Bvh bvh = buildBvh(castingTriangles(deviceScene));
+void ShadowRays::buildHierarchy(const build::DeviceScene& scene) {
+  const Bvh bvh = buildBvh(castingTriangles(scene));
   nodes_ = device::Buffer<shared::BvhNode>::fromHost(device_, bvh.nodes, "hierarchy of triangles");
   triangles_ = device::Buffer<shared::BvhTriangle>::fromHost(device_, bvh.triangles, "triangles of shadow rays");
+  const auto mediumObjects = scene.objectsOfMedia();
+  mediumCount_ = mediumObjects.size();
+  mediumObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, mediumObjects, "objects of media");
+}
+
+void ShadowRays::prepare(const Preparation& to) {
+  if (to.objectsChanged) buildHierarchy(to.deviceScene);
   std::vector<std::uint32_t> objects;
   around_.clear();
-  for (const Light& light : scene.lights) {
+  for (const Light& light : to.scene.lights) {
     std::vector<std::uint32_t> around;  // none: parallel light starts in front of everything
-    if (light.type != LightType::Directional) around = deviceScene.objectsAround(light.position);
+    if (light.type != LightType::Directional)
+      around = to.deviceScene.objectsAround(to.deviceScene.allObjects().enclosing, light.position);
     around_.push_back({shared::uint(objects.size()), shared::uint(around.size())});
     objects.insert(objects.end(), around.begin(), around.end());
   }
   lightObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, objects, "objects around lights");
-  const auto mediumObjects = deviceScene.objectsOfMedia();
-  mediumCount_ = mediumObjects.size();
-  mediumObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, mediumObjects, "objects of media");
+}
+
+void ShadowRays::describeLight(std::size_t light, shared::LightData& data) const {
+  data.firstMap = around_[light].x;
+  data.mapCount = around_[light].y;
 }
 
 shared::TechniqueParams ShadowRays::params(const Scene&) const {

@@ -13,15 +13,16 @@ class ShadowRays : public ShadowTechnique {
   explicit ShadowRays(device::Device& device) : device_(device) {}
 
   build::Defines kernelFiles() const override { return {{"CDSM_TECHNIQUE", "\"technique/shadow_rays.clh\""}}; }
-  void prepare(const Scene& scene, const build::DeviceScene& deviceScene, build::RasterPass& raster,
-               const build::RasterPass::Report& report) override;
+  void prepare(const Preparation& to) override;
   /// The objects around the light, in place of maps.
-  shared::uint2 mapsOf(std::size_t light) const override { return around_[light]; }
+  void describeLight(std::size_t light, shared::LightData& data) const override;
   shared::TechniqueParams params(const Scene& scene) const override;
   device::ArgumentList arguments() const override;
-  void addStats(const Scene&, bool, FrameStats&) const override {}
+  void addStats(const Scene&, FrameStats&) const override {}
 
  private:
+  void buildHierarchy(const build::DeviceScene& scene);
+
   device::Device& device_;
   std::size_t mediumCount_ = 0;
   std::vector<shared::uint2> around_;  ///< per light: first and number in lightObjects_

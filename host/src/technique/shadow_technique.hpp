@@ -11,10 +11,21 @@
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
 #include "build/variant.hpp"
+#include "cluster/cluster_plan.hpp"
 #include "shared/frame_data.h"
 #include "shared/map_data.h"
 
 namespace cdsm::technique {
+
+/// What a technique makes its lookups from.
+struct Preparation {
+  const Scene& scene;
+  const build::DeviceScene& deviceScene;
+  build::RasterPass& raster;
+  const build::RasterPass::Report& report;
+  cluster::Purpose purpose;
+  bool objectsChanged;  ///< since the last time, or there was none
+};
 
 class ShadowTechnique {
  public:
@@ -23,18 +34,17 @@ class ShadowTechnique {
   /// CDSM_TECHNIQUE, and CDSM_MEMORY if it uses one.
   virtual build::Defines kernelFiles() const = 0;
 
-  /// Makes what lookups need, for a scene that has changed. Lights' maps are counted in the order of the lights.
-  virtual void prepare(const Scene& scene, const build::DeviceScene& deviceScene, build::RasterPass& raster,
-                       const build::RasterPass::Report& report) = 0;
+  /// Makes what lookups need for this frame, as far as it has changed.
+  virtual void prepare(const Preparation& to) = 0;
 
-  /// Maps of light number `light`: first and count.
-  virtual shared::uint2 mapsOf(std::size_t light) const = 0;
+  /// Says in `data` which maps light number `light` has.
+  virtual void describeLight(std::size_t light, shared::LightData& data) const = 0;
   virtual shared::TechniqueParams params(const Scene& scene) const = 0;
   /// Arguments of CDSM_TECHNIQUE_PARAMS behind TechniqueParams.
   virtual device::ArgumentList arguments() const = 0;
 
-  /// Adds its maps and memory. `regenerated`: prepare() ran for this frame.
-  virtual void addStats(const Scene& scene, bool regenerated, FrameStats& stats) const = 0;
+  /// Adds its maps and memory.
+  virtual void addStats(const Scene& scene, FrameStats& stats) const = 0;
 };
 
 }  // namespace cdsm::technique

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cluster/casters.hpp"
+
+#include <algorithm>
+
+namespace cdsm::cluster {
+
+namespace {
+
+/// Vertices nearer to a plane than this part of the mesh's size lie in it.
+constexpr double kFlatPart = 1e-6;
+
+/// The plane of the largest triangle, if all vertices lie in it.
+std::optional<HalfSpace> planeOf(const MeshData& data, double size) {
+  glm::dvec3 normal(0.0), point(0.0);
+  for (const glm::uvec3& t : data.triangles) {
+    const glm::dvec3 a(data.positions[t.x]), b(data.positions[t.y]), c(data.positions[t.z]);
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    if (glm::dot(n, n) <= glm::dot(normal, normal)) continue;
+    normal = n;
+    point = a;
+  }
+  if (glm::dot(normal, normal) <= 0.0) return std::nullopt;
+  const HalfSpace plane = halfSpace(normal, point);
+  const bool flat = std::all_of(data.positions.begin(), data.positions.end(), [&](const glm::vec3& p) {
+    return std::abs(plane.distance(glm::dvec3(p))) <= kFlatPart * size;
+  });
+  return flat ? std::optional(plane) : std::nullopt;
+}
+
+std::vector<glm::dvec3> boxCorners(const scene::Bounds& bounds, const glm::dmat4& worldFromBox) {
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 unit(i & 1, i >> 1 & 1, i >> 2);
+    corners.emplace_back(worldFromBox *
+                         glm::dvec4(glm::mix(glm::dvec3(bounds.low), glm::dvec3(bounds.high), unit), 1.0));
+  }
+  return corners;
+}
+
+scene::Bounds indexBounds(const Volume& volume) { return {glm::vec3(-0.5f), glm::vec3(volume.data->size) - 0.5f}; }
+
+/// Rows of the inverse are the normals of a box's sides.
+std::array<glm::dvec3, 3> sideNormals(const glm::dmat4& worldFromBox) {
+  const glm::dmat3 boxFromWorld = glm::inverse(glm::dmat3(worldFromBox));
+  std::array<glm::dvec3, 3> normals;
+  for (int i = 0; i < 3; ++i)
+    normals[i] = glm::normalize(glm::dvec3(boxFromWorld[0][i], boxFromWorld[1][i], boxFromWorld[2][i]));
+  return normals;
+}
+
+Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape) {
+  Caster caster;
+  const glm::dmat4 matrix(mesh.worldFromObject);
+  caster.weight = mesh.shadow.weight;
+  caster.corners = boxCorners(shape.bounds, matrix);
+  caster.normals = sideNormals(matrix);
+  if (shape.plane) {
+    const glm::dmat3 normalMatrix = glm::transpose(glm::inverse(glm::dmat3(matrix)));
+    const glm::dvec3 foot = -shape.plane->offset * shape.plane->normal;
+    caster.plane = halfSpace(normalMatrix * shape.plane->normal, glm::dvec3(matrix * glm::dvec4(foot, 1.0)));
+  }
+  return caster;
+}
+
+Caster volumeShape(const Volume& volume) {
+  Caster caster;
+  const glm::dmat4 matrix(scene::worldFromIndex(volume));
+  caster.weight = volume.shadow.weight;
+  caster.corners = boxCorners(indexBounds(volume), matrix);
+  caster.normals = sideNormals(matrix);
+  return caster;
+}
+
+}  // namespace
+
+const MeshShapes::Shape& MeshShapes::of(const std::shared_ptr<const MeshData>& data) {
+  const auto known = shapes_.find(data.get());
+  if (known != shapes_.end()) return known->second.shape;
+  Shape shape;
+  for (const glm::vec3& p : data->positions) shape.bounds.add(p);
+  if (data->positions.empty()) shape.bounds.add(glm::vec3(0.0f));
+  shape.plane = planeOf(*data, shape.bounds.diagonal());
+  return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
+}
+
+void MeshShapes::keepOnly(const Scene& scene) {
+  for (auto entry = shapes_.begin(); entry != shapes_.end();) {
+    const bool used = std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                                  [&](const Mesh& mesh) { return mesh.data.get() == entry->first; });
+    entry = used ? std::next(entry) : shapes_.erase(entry);
+  }
+}
+
+bool casts(const Scene& scene, unsigned object) {
+  if (object < scene.meshes.size()) {
+    const Mesh& mesh = scene.meshes[object];
+    return mesh.shadow.casts && !mesh.data->triangles.empty() &&
+           (scene.materials[mesh.material].opacity > 0.0f || mesh.interiorExtinction > 0.0f);
+  }
+  const Volume& volume = scene.volumes[object - scene.meshes.size()];
+  const auto& curve = volume.transfer.opacity;
+  return volume.shadow.casts && std::any_of(curve.begin(), curve.end(), [](const auto& p) { return p.opacity > 0.0f; });
+}
+
+std::vector<Caster> objectShapes(const Scene& scene, MeshShapes& shapes) {
+  std::vector<Caster> list;
+  for (const Mesh& mesh : scene.meshes) list.push_back(meshShape(mesh, shapes.of(mesh.data)));
+  for (const Volume& volume : scene.volumes) list.push_back(volumeShape(volume));
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].object = unsigned(i);
+  return list;
+}
+
+std::vector<glm::dvec3> hullPoints(const Scene& scene, unsigned object) {
+  std::vector<glm::dvec3> points;
+  if (object < scene.meshes.size()) {
+    const Mesh& mesh = scene.meshes[object];
+    for (const glm::vec3& p : mesh.data->positions) points.emplace_back(mesh.worldFromObject * glm::vec4(p, 1.0f));
+    return points;
+  }
+  const Volume& volume = scene.volumes[object - scene.meshes.size()];
+  return boxCorners(indexBounds(volume), glm::dmat4(scene::worldFromIndex(volume)));
+}
+
+}  // namespace cdsm::cluster
