@@ -111,6 +111,8 @@ GOOD_RUNS = [
     works("an omni light inside a volume", RENDER + ["--set", "light.key.type=omni"]
           + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
     Case("a directional light", "", RENDER, {"scene.toml": directional(b"[0, -1, 0]")}, 0, ("out.png",)),
+    works("objects that cast and receive nothing", RENDER + ["--set", "mesh.cup.casts_shadow=false"]
+          + ["--set", "volume.smoke.receives_shadow=false", "--set", "mesh.cup.cluster_weight=1000"], ("out.png",)),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
 ]
 
@@ -161,6 +163,15 @@ SCENES = [
         "mesh 'cup' has 3 open edges", b"closed.obj\"", b"open.obj\"\ninterior_extinction = 1",
     ),
     scene("transform without inverse", "cannot be inverted", b"closed.obj\"", b"closed.obj\"\nscale = 1e-30"),
+    settings("too many clusters", "clusters is 65, must be in [1, 64]", "shadows.clusters=65"),
+    settings("cluster distance of 0", "cluster_distance is 0, must be in (0, 2.83]", "shadows.cluster_distance=0"),
+    settings("cluster distance with a NaN", "cluster_distance is nan", "shadows.cluster_distance=nan"),
+    settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
+    scene("casting as a word", "casts_shadow is a string, must be true or false",
+          b"closed.obj\"", b"closed.obj\"\ncasts_shadow = 'no'"),
+    settings("receiving as a number", "receives_shadow is an integer, must be", "volume.smoke.receives_shadow=0"),
+    settings("weight of 0", "cluster_weight is 0, must be in (0, 1000]", "mesh.cup.cluster_weight=0"),
+    settings("weight beyond all bounds", "cluster_weight is inf", "volume.smoke.cluster_weight=inf"),
     settings("open mesh as boundary", "open edges", "mesh.cup.file=open.obj", "volume.smoke.boundary=cup"),
     settings("override of an unknown key", "--set image.widht=3: unknown key", "image.widht=3"),
     settings("override of an unknown light", "must be one of: key", "light.fill.cutoff=3"),
@@ -243,7 +254,6 @@ LATER = [
         "shadows.memory=tiled",
         "shadows.transmittance=rgb",
         "shadows.cache=volume",
-        "shadows.clusters=4",
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",
     )

@@ -98,6 +98,9 @@ memory = "atlas"
 map_size = 128
 tolerance = 0.5
 filter = "nearest"
+clusters = 4
+cluster_distance = 0.5
+stable = true
 step = 0.25
 bias = 0.125
 )");
@@ -111,6 +114,9 @@ bias = 0.125
   EXPECT_EQ(scene.shadows.mapSize, 128);
   EXPECT_EQ(scene.shadows.tolerance, 0.5f);
   EXPECT_EQ(scene.shadows.filter, "nearest");
+  EXPECT_EQ(scene.shadows.clusters, 4);
+  EXPECT_EQ(scene.shadows.clusterDistance, 0.5f);
+  EXPECT_TRUE(scene.shadows.stable);
   EXPECT_EQ(scene.shadows.step, 0.25f);
   EXPECT_EQ(scene.shadows.bias, 0.125f);
 }
@@ -129,6 +135,40 @@ TEST_F(SceneFile, GivesObjectsToTheScene) {
   EXPECT_EQ(scene.meshes.at(0).interiorExtinction, 2.0f);
   EXPECT_EQ(scene.materials.at(0).opacity, 0.25f);
   EXPECT_EQ(scene.lights.at(0).cutoff, 12.5f);
+}
+
+TEST_F(SceneFile, GivesShadowRolesToObjects) {
+  const Scene plain = read(kMaterial + kMesh + kVolume);
+  for (const ShadowRole& role : {plain.meshes.at(0).shadow, plain.volumes.at(0).shadow}) {
+    EXPECT_TRUE(role.casts && role.receives);
+    EXPECT_EQ(role.weight, 1.0f);
+  }
+  const Scene scene = read(kMaterial + kMesh + "casts_shadow = false\ncluster_weight = 1000\n" + kVolume +
+                           "receives_shadow = false\ncluster_weight = 0.5\n");
+  EXPECT_FALSE(scene.meshes.at(0).shadow.casts);
+  EXPECT_TRUE(scene.meshes.at(0).shadow.receives);
+  EXPECT_EQ(scene.meshes.at(0).shadow.weight, 1000.0f);
+  EXPECT_TRUE(scene.volumes.at(0).shadow.casts);
+  EXPECT_FALSE(scene.volumes.at(0).shadow.receives);
+  EXPECT_EQ(scene.volumes.at(0).shadow.weight, 0.5f);
+}
+
+TEST_F(SceneFile, RefusesBadClustersAndShadowRoles) {
+  expectComplaints({
+      {"[shadows]\nclusters = 0\n", "scene.toml:2:12: clusters is 0, must be in [1, 64]"},
+      {"[shadows]\nclusters = 65\n", "scene.toml:2:12: clusters is 65"},
+      {"[shadows]\nclusters = 2.5\n", "scene.toml:2:12: clusters is a number with a fraction, must be an integer"},
+      {"[shadows]\ncluster_distance = 0\n", "scene.toml:2:20: cluster_distance is 0, must be in (0, 2.83]"},
+      {"[shadows]\ncluster_distance = 3\n", "scene.toml:2:20: cluster_distance is 3"},
+      {"[shadows]\nstable = 1\n", "scene.toml:2:10: stable is an integer, must be true or false"},
+      {kMaterial + kMesh + "casts_shadow = 0\n", "scene.toml:7:16: casts_shadow is an integer, must be true or false"},
+      {kMaterial + kMesh + "cluster_weight = 0\n", "scene.toml:7:18: cluster_weight is 0, must be in (0, 1000]"},
+      {kMaterial + kMesh + "cast_shadow = true\n", "scene.toml:7:1: unknown key 'cast_shadow'",
+       "did you mean 'casts_shadow'?"},
+      {kVolume + "receives_shadow = 'no'\n", "scene.toml:6:19: receives_shadow is a string, must be true or false"},
+      {kVolume + "cluster_weight = nan\n", "scene.toml:6:18: cluster_weight is nan"},
+      {kVolume + "cluster_weight = 1001\n", "scene.toml:6:18: cluster_weight is 1001"},
+  });
 }
 
 TEST_F(SceneFile, ReadsAFileOnceHoweverItIsNamed) {
@@ -152,7 +192,7 @@ TEST_F(SceneFile, TakesAMatrixRowByRow) {
 }
 
 TEST_F(SceneFile, AcceptsLaterKeysAtTheirDefaults) {
-  EXPECT_EQ(complaint("[shadows]\nclusters = 1\ncluster_distance = 0.25\nthreshold = 0.5\ntransmittance = 'grey'\n"
+  EXPECT_EQ(complaint("[shadows]\nthreshold = 0.5\ntransmittance = 'grey'\n"
                       "samples = 13\nseed = 1\npcf = 1\npatch = 1\nsoftness = 0.0\nsoftness_distance = 1.0\n"
                       "softness_exponent = 1.0\ncache = 'none'\n" +
                       kMaterial + "transmission = [0, 0, 0]\n" + kVolume + "transmission = []\nboundary = ''\n"),
@@ -276,7 +316,6 @@ TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
       {"[shadows]\nmemory = 'tiled'\n", "scene.toml:2:10: memory 'tiled' is not supported yet"},
       {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
       {"[shadows]\ncache = 'volume'\n", "scene.toml:2:9: cache 'volume' is not supported yet"},
-      {"[shadows]\nclusters = 4\n", "scene.toml:2:12: clusters other than 1 is not supported yet"},
       {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},
       {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},

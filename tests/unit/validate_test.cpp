@@ -119,6 +119,10 @@ TEST(Validate, ShadowsAndLights) {
   expectComplaints({
       {"map_size is 7, must be in [8, 16384]", [](Scene& s) { s.shadows.mapSize = 7; }},
       {"tolerance is 1, must be in [0, 1)", [](Scene& s) { s.shadows.tolerance = 1.0f; }},
+      {"clusters is 0, must be in [1, 64]", [](Scene& s) { s.shadows.clusters = 0; }},
+      {"clusters is 65", [](Scene& s) { s.shadows.clusters = 65; }},
+      {"cluster_distance is 0, must be in (0, 2.83]", [](Scene& s) { s.shadows.clusterDistance = 0.0f; }},
+      {"cluster_distance is nan", [](Scene& s) { s.shadows.clusterDistance = kNan; }},
       {"step is -1, must be at least 0", [](Scene& s) { s.shadows.step = -1.0f; }},
       {"bias is nan", [](Scene& s) { s.shadows.bias = kNan; }},
       {"filter is 'cubic', must be bilinear or nearest", [](Scene& s) { s.shadows.filter = "cubic"; }},
@@ -164,6 +168,16 @@ TEST(Validate, MaterialsAndMeshes) {
   });
   EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].interiorExtinction = 1.0f; }), "");
   EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].data = share(openMesh()); }), "") << "without an interior";
+}
+
+TEST(Validate, ShadowRoles) {
+  expectComplaints({
+      {"mesh 'cup': cluster_weight is 0, must be in (0, 1000]", [](Scene& s) { s.meshes[0].shadow.weight = 0.0f; }},
+      {"mesh 'cup': cluster_weight is inf", [](Scene& s) { s.meshes[0].shadow.weight = kInfinity; }},
+      {"volume 'smoke': cluster_weight is -1", [](Scene& s) { s.volumes[0].shadow.weight = -1.0f; }},
+      {"volume 'smoke': cluster_weight is nan", [](Scene& s) { s.volumes[0].shadow.weight = kNan; }},
+  });
+  EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].shadow = s.volumes[0].shadow = {false, false, 1000.0f}; }), "");
 }
 
 TEST(Validate, MeshData) {

@@ -70,9 +70,15 @@ double fewestDigits(float value) {
 }
 
 Json settingsJson(const ShadowSettings& shadows) {
-  return {{"technique", shadows.technique},    {"memory", shadows.memory},
-          {"map_size", shadows.mapSize},       {"tolerance", fewestDigits(shadows.tolerance)},
-          {"filter", shadows.filter},          {"step", fewestDigits(shadows.step)},
+  return {{"technique", shadows.technique},
+          {"memory", shadows.memory},
+          {"map_size", shadows.mapSize},
+          {"tolerance", fewestDigits(shadows.tolerance)},
+          {"filter", shadows.filter},
+          {"clusters", shadows.clusters},
+          {"cluster_distance", fewestDigits(shadows.clusterDistance)},
+          {"stable", shadows.stable},
+          {"step", fewestDigits(shadows.step)},
           {"bias", fewestDigits(shadows.bias)}};
 }
 

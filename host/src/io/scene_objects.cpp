@@ -104,6 +104,14 @@ TransferFunction readTransferFunction(const TableReader& reader) {
   return transfer;
 }
 
+ShadowRole readShadowRole(const TableReader& reader) {
+  ShadowRole role;
+  role.casts = reader.flag("casts_shadow", role.casts);
+  role.receives = reader.flag("receives_shadow", role.receives);
+  role.weight = reader.number("cluster_weight", role.weight, scene::kClusterWeight);
+  return role;
+}
+
 LightType readLightType(const TableReader& reader) {
   const std::string name = reader.choice("type", "spot", kLightTypes);
   for (const LightType type : {LightType::Omni, LightType::Directional})
@@ -168,7 +176,8 @@ Material readMaterial(const toml::table& table) {
 Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
   const TableReader reader(
       table, "[[mesh]]",
-      {"name", "file", "material", "position", "rotation", "scale", "matrix", "interior_extinction", "interior_color"});
+      {"name", "file", "material", "position", "rotation", "scale", "matrix", "interior_extinction", "interior_color",
+       "casts_shadow", "receives_shadow", "cluster_weight"});
   Mesh mesh;
   mesh.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
@@ -177,15 +186,17 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
   mesh.worldFromObject = readTransform(reader);
   mesh.interiorExtinction = reader.number("interior_extinction", mesh.interiorExtinction, scene::kNotNegative);
   mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
+  mesh.shadow = readShadowRole(reader);
   reader.locate("file", [&] { mesh.data = assets.mesh(file); });
   reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size()); });
   return mesh;
 }
 
 Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
-  const TableReader reader(table, "[[volume]]",
-                           {"name", "file", "boundary", "opacity", "color", "transmission", "unit_distance", "specular",
-                            "shininess", "shading", "position", "rotation", "scale", "matrix"});
+  const TableReader reader(
+      table, "[[volume]]",
+      {"name", "file", "boundary", "opacity", "color", "transmission", "unit_distance", "specular", "shininess",
+       "shading", "position", "rotation", "scale", "matrix", "casts_shadow", "receives_shadow", "cluster_weight"});
   Volume volume;
   volume.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
@@ -195,6 +206,7 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   volume.specular = reader.vector("specular", volume.specular, scene::kNotNegative);
   volume.shininess = reader.number("shininess", volume.shininess, scene::kNotNegative);
   volume.shading = reader.flag("shading", volume.shading);
+  volume.shadow = readShadowRole(reader);
   if (!reader.text("boundary", "").empty()) volume.boundary = indexOf(reader, "boundary", scene.meshes, "mesh");
   reader.locate("file", [&] { volume.data = assets.volume(file); });
   reader.locate(volume.boundary < 0 ? "file" : "boundary", [&] { scene::validateVolume(volume, scene.meshes); });

@@ -19,9 +19,7 @@ const Choices kCaches{{"none"}, {"volume"}};
 
 /// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
 /// accepted and ignored: nothing that this version computes depends on it.
-const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"clusters", 1.0},
-                                                                   {"cluster_distance", 0.25},
-                                                                   {"threshold", 0.5},
+const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"threshold", 0.5},
                                                                    {"samples", 13.0},
                                                                    {"seed", 1.0},
                                                                    {"pcf", 1.0},
@@ -31,8 +29,8 @@ const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"clusters", 
                                                                    {"softness_exponent", 1.0}};
 
 std::vector<std::string> shadowKeys() {
-  std::vector<std::string> keys{"technique", "memory", "map_size",      "tolerance", "filter",
-                                "step",      "bias",   "transmittance", "cache"};
+  std::vector<std::string> keys{"technique",        "memory", "map_size", "tolerance", "filter",        "clusters",
+                                "cluster_distance", "stable", "step",     "bias",      "transmittance", "cache"};
   for (const auto& [key, accepted] : kLaterShadowKeys) keys.push_back(key);
   return keys;
 }
@@ -69,6 +67,9 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.mapSize = reader.integer("map_size", shadows.mapSize, scene::kMapSize);
   shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
   shadows.filter = reader.choice("filter", shadows.filter, kFilters);
+  shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
+  shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);
+  shadows.stable = reader.flag("stable", shadows.stable);
   shadows.step = reader.number("step", shadows.step, scene::kNotNegative);
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
   reader.choice("transmittance", "grey", kTransmittances);

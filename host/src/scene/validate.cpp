@@ -98,6 +98,8 @@ void validateImage(const ImageSettings& image) {
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
+  requireRange(shadows.clusters, kClusters, "shadows clusters");
+  requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
   requireRange(shadows.bias, kNotNegative, "shadows bias");
   if (shadows.filter != "bilinear" && shadows.filter != "nearest") {
@@ -136,6 +138,7 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount) {
   }
   requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
   requireVector(mesh.interiorColor, kNotNegative, what + ": interior_color");
+  requireRange(mesh.shadow.weight, kClusterWeight, what + ": cluster_weight");
   if (mesh.interiorExtinction > 0.0f) requireClosed(mesh, "to have an interior_extinction");
 }
 
@@ -149,6 +152,7 @@ void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes) {
   validateTransferFunction(volume.transfer, what);
   requireVector(volume.specular, kNotNegative, what + ": specular");
   requireRange(volume.shininess, kNotNegative, what + ": shininess");
+  requireRange(volume.shadow.weight, kClusterWeight, what + ": cluster_weight");
   if (volume.boundary < -1 || volume.boundary >= static_cast<int>(meshes.size())) {
     throw Error(what + ": boundary index is " + std::to_string(volume.boundary) + ", must be -1 or below the number " +
                 "of meshes, " + std::to_string(meshes.size()));
