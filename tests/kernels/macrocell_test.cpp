@@ -57,7 +57,7 @@ class OnDevice {
     device::Kernel<std::uint32_t, std::uint32_t, Floats, Floats, device::ArgumentList> kernel(
         device_, sceneTestProgram(device_, scene_, kText), "extinctions");
     kernel({"extinctions", {points.size()}, {kGroup}}, medium, std::uint32_t(points.size()), in, out,
-           scene_.arguments(around_));
+           scene_.arguments(scene_.allObjects(), around_));
     return out.download();
   }
 
@@ -68,7 +68,8 @@ class OnDevice {
     Uints values(device_, count, "reaches");
     device::Kernel<std::uint32_t, device::Buffer<shared::int4>, Uints, device::ArgumentList> kernel(
         device_, sceneTestProgram(device_, scene_, kText), "reaches");
-    kernel({"reaches", {count}, {kGroup}}, medium, deviceCounts, values, scene_.arguments(around_));
+    kernel({"reaches", {count}, {kGroup}}, medium, deviceCounts, values,
+           scene_.arguments(scene_.allObjects(), around_));
     const shared::int4 n = deviceCounts.read(0);
     EXPECT_EQ(glm::ivec3(n.x, n.y, n.z), glm::ivec3(counts));
     return {glm::ivec3(counts), values.download()};

@@ -39,7 +39,8 @@ Layers rasterize(build::RasterPass& pass, const Scene& scene, const shared::View
   build::DeviceScene onDevice(deviceOf());
   onDevice.update(scene);
   Layers result{view.width, view.height, std::vector<std::vector<Fragment>>(std::size_t(view.width) * view.height), {}};
-  build::Layers& layers = pass.run(onDevice, view, [&](const std::string& what) { result.reports.push_back(what); });
+  build::Layers& layers =
+      pass.run(onDevice, onDevice.allObjects(), view, [&](const std::string& what) { result.reports.push_back(what); });
   const auto keys = layers.fragments.download();
   const auto ranges = layers.ranges.download();
   for (int y = 0; y < view.height; ++y)
@@ -312,7 +313,7 @@ TEST_F(Rasterize, aViewThatDoesNotFitLeavesThePassUsable) {
   build::DeviceScene onDevice(deviceOf());
   onDevice.update(sceneOf(mesh));
   const shared::ViewData huge = testView(2000000, 500000);
-  EXPECT_THROW(pass_.run(onDevice, huge, [](const std::string&) {}), DeviceError);
+  EXPECT_THROW(pass_.run(onDevice, onDevice.allObjects(), huge, [](const std::string&) {}), DeviceError);
   expectSoup(mesh, 16, 16);
   EXPECT_TRUE(rasterize(pass_, reference::emptyScene(), testView(8, 8)).at(0, 0).empty());
 }

@@ -47,7 +47,7 @@ LookedUp lookUp(const TransferFunction& transfer, const std::vector<float>& valu
   device::Kernel<std::uint32_t, Floats, Floats, device::Buffer<shared::float4>, device::ArgumentList> kernel(
       device, sceneTestProgram(device, onDevice, kText), "lookUp");
   kernel({"look up", {values.size()}, {kGroup}}, std::uint32_t(values.size()), in, extinctions, colors,
-         onDevice.arguments(around));
+         onDevice.arguments(onDevice.allObjects(), around));
   return {extinctions.download(), colors.download()};
 }
 

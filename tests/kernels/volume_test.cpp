@@ -73,7 +73,7 @@ Samples sampleOnDevice(device::Device& device, const TestGrid& grid, const std::
   device::Kernel<std::uint32_t, Floats, Floats, device::Buffer<float4>, device::ArgumentList> kernel(
       device, sceneTestProgram(device, onDevice, kText), "sampleVolume");
   kernel({"sample volume", {points.size()}, {kGroup}}, std::uint32_t(points.size()), in, values, gradients,
-         onDevice.arguments(around));
+         onDevice.arguments(onDevice.allObjects(), around));
   return {values.download(), gradients.download()};
 }
 

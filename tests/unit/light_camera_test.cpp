@@ -89,7 +89,7 @@ TEST(LightCamera, DirectionalLightsSeeAllOfTheScene) {
         const scene::Bounds bounds = boxAround(center, half);
         const auto views = lightViews(light, bounds, kSize);
         ASSERT_EQ(views.size(), 1u);
-        const shared::LightData data = lightData(light, bounds, 0, 1);
+        const shared::LightData data = lightData(light, bounds);
         for (int i = 0; i < 8; ++i) {
           const glm::vec3 corner = center + half * glm::vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
           const Pixel pixel = pixelOf(views[0], corner);
@@ -109,7 +109,7 @@ TEST(LightCamera, AnEmptySceneHasViewsToo) {
       for (const float number :
            {view.pixelU.w, view.pixelV.w, view.depth.w, view.origin.x, view.dirU.x, view.originU.x})
         EXPECT_TRUE(std::isfinite(number));
-    EXPECT_TRUE(std::isfinite(lightData(lightOf(type), {}, 0, 0).front));
+    EXPECT_TRUE(std::isfinite(lightData(lightOf(type), {}).front));
   }
 }
 

@@ -28,6 +28,34 @@ std::optional<HalfSpace> planeOf(const MeshData& data, double size) {
   return flat ? std::optional(plane) : std::nullopt;
 }
 
+/// The convex hull of a flat mesh, if its triangles fill it exactly once.
+std::vector<glm::dvec3> filledOutline(const MeshData& data, const glm::dvec3& normal) {
+  std::vector<glm::dvec3> points(data.positions.begin(), data.positions.end());
+  const std::vector<glm::dvec3> hull = hullInPlane(points, normal);
+  double area = 0.0, filled = 0.0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i)
+    area += glm::length(glm::cross(hull[i] - hull[0], hull[i + 1] - hull[0]));
+  for (const glm::uvec3& t : data.triangles) {
+    const glm::dvec3 a(data.positions[t.x]);
+    filled += glm::length(glm::cross(glm::dvec3(data.positions[t.y]) - a, glm::dvec3(data.positions[t.z]) - a));
+  }
+  return std::abs(area - filled) <= kFlatPart * area ? hull : std::vector<glm::dvec3>{};
+}
+
+/// Planes through the edges of a polygon at right angles to it, turned to its middle.
+std::vector<HalfSpace> edgePlanes(const std::vector<glm::dvec3>& polygon, const glm::dvec3& normal) {
+  std::vector<HalfSpace> planes;
+  glm::dvec3 middle(0.0);
+  for (const glm::dvec3& p : polygon) middle += p / double(polygon.size());
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    HalfSpace plane = halfSpace(glm::cross(normal, edge), polygon[i]);
+    if (plane.distance(middle) < 0.0) plane = {-plane.normal, -plane.offset};
+    planes.push_back(plane);
+  }
+  return planes;
+}
+
 std::vector<glm::dvec3> boxCorners(const scene::Bounds& bounds, const glm::dmat4& worldFromBox) {
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < 8; ++i) {
@@ -49,7 +77,7 @@ std::array<glm::dvec3, 3> sideNormals(const glm::dmat4& worldFromBox) {
   return normals;
 }
 
-Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape) {
+Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape, bool opaque) {
   Caster caster;
   const glm::dmat4 matrix(mesh.worldFromObject);
   caster.weight = mesh.shadow.weight;
@@ -59,6 +87,9 @@ Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape) {
     const glm::dmat3 normalMatrix = glm::transpose(glm::inverse(glm::dmat3(matrix)));
     const glm::dvec3 foot = -shape.plane->offset * shape.plane->normal;
     caster.plane = halfSpace(normalMatrix * shape.plane->normal, glm::dvec3(matrix * glm::dvec4(foot, 1.0)));
+    std::vector<glm::dvec3> outline;
+    for (const glm::dvec3& p : shape.outline) outline.emplace_back(matrix * glm::dvec4(p, 1.0));
+    if (opaque) caster.lid = edgePlanes(outline, caster.plane->normal);
   }
   return caster;
 }
@@ -81,6 +112,7 @@ const MeshShapes::Shape& MeshShapes::of(const std::shared_ptr<const MeshData>& d
   for (const glm::vec3& p : data->positions) shape.bounds.add(p);
   if (data->positions.empty()) shape.bounds.add(glm::vec3(0.0f));
   shape.plane = planeOf(*data, shape.bounds.diagonal());
+  if (shape.plane) shape.outline = filledOutline(*data, shape.plane->normal);
   return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
 }
 
@@ -105,7 +137,8 @@ bool casts(const Scene& scene, unsigned object) {
 
 std::vector<Caster> objectShapes(const Scene& scene, MeshShapes& shapes) {
   std::vector<Caster> list;
-  for (const Mesh& mesh : scene.meshes) list.push_back(meshShape(mesh, shapes.of(mesh.data)));
+  for (const Mesh& mesh : scene.meshes)
+    list.push_back(meshShape(mesh, shapes.of(mesh.data), scene.materials[mesh.material].opacity >= 1.0f));
   for (const Volume& volume : scene.volumes) list.push_back(volumeShape(volume));
   for (std::size_t i = 0; i < list.size(); ++i) list[i].object = unsigned(i);
   return list;

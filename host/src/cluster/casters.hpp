@@ -21,6 +21,7 @@ struct Caster {
   std::vector<glm::dvec3> corners;    ///< the eight of its oriented box, in the order of ConvexBody::hexahedron
   std::array<glm::dvec3, 3> normals;  ///< of the box's sides, unit
   std::optional<HalfSpace> plane;     ///< that all of a flat mesh lies in; turned to either side
+  std::vector<HalfSpace> lid;         ///< of a flat, convex and opaque mesh: planes at its edges, turned inwards
 };
 
 /// Boxes and planes of meshes in object space, computed once for each.
@@ -29,6 +30,7 @@ class MeshShapes {
   struct Shape {
     scene::Bounds bounds;
     std::optional<HalfSpace> plane;
+    std::vector<glm::dvec3> outline;  ///< corners of a flat mesh that fills their convex hull; else none
   };
 
   const Shape& of(const std::shared_ptr<const MeshData>& data);

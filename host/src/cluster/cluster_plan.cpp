@@ -10,6 +10,8 @@ namespace {
 
 /// Points nearer to the light than this part of the scene's size have no place in its picture.
 constexpr double kNearPart = 1e-4;
+/// Of the outlines of volumes, whose shadows mostly fade out; of meshes 1.
+constexpr double kVolumeSharpness = 0.25;
 /// An object that reaches through a plane by less than this part of the scene's size stands on it.
 constexpr double kStandsPart = 1e-5;
 
@@ -54,6 +56,8 @@ Extents extentsIn(const Direction& direction, const Caster& shape) {
   if (!direction.body.mayTouch(shape.corners, {shape.normals.begin(), shape.normals.end()})) return extents;
   extents.squareLow = extents.pictureLow = glm::dvec2(INFINITY);
   extents.squareHigh = extents.pictureHigh = glm::dvec2(-INFINITY);
+  extents.nearDepth = INFINITY;
+  extents.farDepth = 0.0;
   for (const glm::dvec3& p : reachedCorners(direction, shape)) {
     const glm::dvec3 way = p - frame.position;
     glm::dvec2 picture(glm::dot(frame.right, way), glm::dot(frame.down, way));
@@ -64,24 +68,39 @@ Extents extentsIn(const Direction& direction, const Caster& shape) {
     extents.squareHigh = glm::max(extents.squareHigh, square);
     extents.pictureLow = glm::min(extents.pictureLow, picture);
     extents.pictureHigh = glm::max(extents.pictureHigh, picture);
+    const double depth = direction.space ? direction.space->eyeDepth(p) : 1.0;
+    extents.nearDepth = std::min(extents.nearDepth, depth);
+    extents.farDepth = std::max(extents.farDepth, depth);
     extents.seen = true;
   }
   return extents;
 }
 
+/// True if the camera sees nothing of an object behind a flat one: what reaches through it lies under its lid.
+bool hiddenBehind(const Caster& flat, double side, double stands, const Caster& other, const glm::dvec3& eye) {
+  const auto height = [&](const glm::dvec3& p) { return side * flat.plane->distance(p); };
+  if (std::all_of(other.corners.begin(), other.corners.end(), [&](const auto& p) { return height(p) >= -stands; }))
+    return true;
+  if (flat.lid.empty()) return false;
+  ConvexBody behind = ConvexBody::hexahedron(other.corners);
+  behind.clip({-side * flat.plane->normal, -side * flat.plane->offset});
+  for (const glm::dvec3& p : behind.vertices()) {
+    const glm::dvec3 seen = glm::mix(p, eye, std::max(-height(p), 0.0) / (height(eye) - std::min(height(p), 0.0)));
+    for (const HalfSpace& edge : flat.lid)
+      if (edge.distance(seen) < 0.0) return false;
+  }
+  return true;
+}
+
 /// True if a flat object has nothing behind it, as seen from the light, that the camera could see: a floor.
-bool shadowsNothing(const Caster& flat, const std::vector<Caster>& shapes, const std::vector<Direction>& directions,
+bool shadowsNothing(const Caster& flat, const std::vector<Caster>& shapes, const LightFrame& light,
                     const VisibleSpace& visible) {
-  const LightFrame& frame = directions.front().frame;
   const double eye = flat.plane->distance(visible.eye);
-  const double light =
-      frame.parallel ? -glm::dot(flat.plane->normal, frame.axis) : flat.plane->distance(frame.position);
-  if (eye * light <= 0.0) return false;
-  const double side = light > 0.0 ? 1.0 : -1.0, stands = kStandsPart * visible.scene.diagonal();
-  return std::all_of(shapes.begin(), shapes.end(), [&](const Caster& other) {
-    return std::all_of(other.corners.begin(), other.corners.end(),
-                       [&](const glm::dvec3& p) { return side * flat.plane->distance(p) >= -stands; });
-  });
+  const double from = light.parallel ? -glm::dot(flat.plane->normal, light.axis) : flat.plane->distance(light.position);
+  if (eye * from <= 0.0) return false;
+  const double side = from > 0.0 ? 1.0 : -1.0, stands = kStandsPart * visible.scene.diagonal();
+  return std::all_of(shapes.begin(), shapes.end(),
+                     [&](const Caster& other) { return hiddenBehind(flat, side, stands, other, visible.eye); });
 }
 
 }  // namespace
@@ -93,9 +112,11 @@ LightPlan planLight(const Scene& scene, const Light& light, const std::vector<Ca
   LightPlan plan;
   for (const Caster& shape : shapes) {
     if (!casts(scene, shape.object)) continue;
-    if (purpose == Purpose::Image && shape.plane && shadowsNothing(shape, shapes, directions, visible)) continue;
+    if (purpose == Purpose::Image && shape.plane && shadowsNothing(shape, shapes, directions.front().frame, visible))
+      continue;
     ClusterItem item;
     item.weight = shape.weight;
+    if (shape.object >= scene.meshes.size()) item.sharpness = kVolumeSharpness;
     for (const Direction& direction : directions) item.directions.push_back(extentsIn(direction, shape));
     if (std::none_of(item.directions.begin(), item.directions.end(), [](const Extents& e) { return e.seen; })) continue;
     plan.items.push_back(std::move(item));

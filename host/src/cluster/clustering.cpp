@@ -10,7 +10,7 @@ namespace cdsm::cluster {
 namespace {
 
 /// More items than this take part by joining clusters alone: pairs are as many as their square.
-constexpr unsigned kMostPaired = 512;
+constexpr unsigned kMostPaired = 256;
 /// Diagonal of the square [-1, 1]^2.
 const double kFarApart = 2.0 * std::sqrt(2.0);
 constexpr int kMostRounds = 16;  ///< of refinement
@@ -114,18 +114,23 @@ double pictureWidth(const std::vector<ClusterItem>& items, const Cluster& cluste
   return low.x <= high.x ? std::max(high.x - low.x, high.y - low.y) : 0.0;
 }
 
+/// Length of an item's outline in the picture of a direction, as far as the camera may see its shadow.
+double seenOutline(const Extents& e) {
+  const glm::dvec2 picture = e.pictureHigh - e.pictureLow, square = e.squareHigh - e.squareLow;
+  const glm::dvec2 seen = glm::max(glm::min(e.squareHigh, 1.0) - glm::max(e.squareLow, -1.0), 0.0);
+  return (picture.x + picture.y) * (seen.x + seen.y) / std::max(square.x + square.y, 1e-300);
+}
+
 double clusterError(const std::vector<ClusterItem>& items, const Cluster& cluster) {
   double error = 0.0;
   const std::size_t directions = cluster.empty() ? 0 : items[cluster.front()].directions.size();
   for (std::size_t d = 0; d < directions; ++d) {
-    const double width = pictureWidth(items, cluster, d);
+    double outlines = 0.0;
     for (const unsigned item : cluster) {
       const Extents& e = items[item].directions[d];
-      if (!e.seen) continue;
-      const glm::dvec2 square = e.squareHigh - e.squareLow, picture = e.pictureHigh - e.pictureLow;
-      const double outline = square.x + square.y;
-      error += items[item].weight * outline * width * outline / std::max(picture.x + picture.y, 1e-300);
+      if (e.seen) outlines += items[item].weight * items[item].sharpness * seenOutline(e) / (e.nearDepth * e.farDepth);
     }
+    error += outlines * pictureWidth(items, cluster, d);
   }
   return error;
 }
@@ -156,6 +161,55 @@ bool moveItem(const std::vector<ClusterItem>& items, std::vector<Cluster>& clust
   errors[from] = errorWithout;
   errors[to] = clusterError(items, clusters[to]);
   return true;
+}
+
+/// Moves items one at a time as long as the error falls. Returns the error.
+double moveItems(const std::vector<ClusterItem>& items, std::vector<Cluster>& clusters) {
+  std::vector<double> errors;
+  for (const Cluster& cluster : clusters) errors.push_back(clusterError(items, cluster));
+  bool moved = true;
+  for (int round = 0; moved && round < kMostRounds; ++round) {
+    moved = false;
+    for (unsigned item = 0; item < items.size(); ++item) moved = moveItem(items, clusters, errors, item) || moved;
+  }
+  return std::accumulate(errors.begin(), errors.end(), 0.0);
+}
+
+/// Starts with a cluster for each item and merges the two that cost least until `count` are left.
+std::vector<Cluster> mergedClusters(const std::vector<ClusterItem>& items, std::size_t count) {
+  std::vector<Cluster> clusters;
+  for (unsigned i = 0; i < items.size(); ++i) clusters.push_back({i});
+  std::vector<double> errors;
+  for (const Cluster& cluster : clusters) errors.push_back(clusterError(items, cluster));
+  const auto united = [&](std::size_t a, std::size_t b) {
+    Cluster both = clusters[a];
+    both.insert(both.end(), clusters[b].begin(), clusters[b].end());
+    return both;
+  };
+  // costs[b][a], a < b: of merging a and b
+  std::vector<std::vector<double>> costs(clusters.size());
+  const auto cost = [&](std::size_t a, std::size_t b) {
+    return clusterError(items, united(a, b)) - errors[a] - errors[b];
+  };
+  for (std::size_t b = 0; b < clusters.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) costs[b].push_back(cost(a, b));
+  while (clusters.size() > count) {
+    std::size_t bestA = 0, bestB = 1;
+    for (std::size_t b = 1; b < clusters.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a)
+        if (costs[b][a] < costs[bestB][bestA]) bestA = a, bestB = b;
+    clusters[bestA] = united(bestA, bestB);
+    errors[bestA] = clusterError(items, clusters[bestA]);
+    clusters.erase(clusters.begin() + std::ptrdiff_t(bestB));
+    errors.erase(errors.begin() + std::ptrdiff_t(bestB));
+    costs.erase(costs.begin() + std::ptrdiff_t(bestB));
+    for (std::size_t b = bestB; b < clusters.size(); ++b) costs[b].erase(costs[b].begin() + std::ptrdiff_t(bestB));
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      if (i < bestA) costs[bestA][i] = cost(i, bestA);
+      if (i > bestA) costs[i][bestA] = cost(bestA, i);
+    }
+  }
+  return clusters;
 }
 
 }  // namespace
@@ -204,13 +258,8 @@ double expectedError(const std::vector<ClusterItem>& items, const std::vector<Cl
 
 void refineClusters(const std::vector<ClusterItem>& items, std::vector<Cluster>& clusters) {
   if (clusters.size() < 2 || items.size() > kMostPaired) return;
-  std::vector<double> errors;
-  for (const Cluster& cluster : clusters) errors.push_back(clusterError(items, cluster));
-  bool moved = true;
-  for (int round = 0; moved && round < kMostRounds; ++round) {
-    moved = false;
-    for (unsigned item = 0; item < items.size(); ++item) moved = moveItem(items, clusters, errors, item) || moved;
-  }
+  std::vector<Cluster> merged = mergedClusters(items, clusters.size());
+  if (moveItems(items, merged) < moveItems(items, clusters)) clusters = std::move(merged);
   clusters.erase(std::remove_if(clusters.begin(), clusters.end(), [](const Cluster& c) { return c.empty(); }),
                  clusters.end());
 }

@@ -15,11 +15,13 @@ struct Extents {
   bool seen = false;
   glm::dvec2 squareLow{0.0}, squareHigh{0.0};
   glm::dvec2 pictureLow{0.0}, pictureHigh{0.0};
+  double nearDepth = 1.0, farDepth = 1.0;  ///< from the camera, of its shadow
 };
 
 /// An object as clustering sees it: its extents in each direction of the light.
 struct ClusterItem {
   double weight = 1.0;
+  double sharpness = 1.0;  ///< of its shadow's outline: less for what is soft at its border
   std::vector<Extents> directions;
 };
 
@@ -34,12 +36,14 @@ using Cluster = std::vector<unsigned>;
 /// `distance` unless there are not enough clusters.
 std::vector<Cluster> formClusters(const std::vector<ClusterItem>& items, unsigned most, double distance);
 
-/// What is to be expected of the shadows' error in the image: the lengths of the items' outlines times the widths of
-/// the texels they are seen with, both as the camera sees them. Proportional to the squared RMS error.
+/// What is to be expected of the shadows' error in the image, up to a factor: the lengths of the items' outlines times
+/// the widths of the texels that they are drawn with, both as large as the camera sees them. The squared RMS error
+/// grows with it.
 double expectedError(const std::vector<ClusterItem>& items, const std::vector<Cluster>& clusters);
 
-/// Moves items to other clusters, one at a time, as long as the expected error falls. Very large objects come apart
-/// from small ones by this [Knecht 2011, §6.1]. The number of clusters stays or falls.
+/// Clusters of less expected error, as many as there are or fewer: those given, and items merged two by two, both with
+/// items moved as long as that helps; the better of the two. Very large objects come apart from small ones by this
+/// [Knecht 2011, §6.1].
 void refineClusters(const std::vector<ClusterItem>& items, std::vector<Cluster>& clusters);
 
 }  // namespace cdsm::cluster

@@ -81,21 +81,6 @@ ConvexBody::Polygon clipPolygon(const ConvexBody::Polygon& polygon, const HalfSp
   return kept.size() >= 3 ? kept : ConvexBody::Polygon{};
 }
 
-/// Convex hull of points in a plane.
-ConvexBody::Polygon hullInPlane(const ConvexBody::Polygon& points, const glm::dvec3& normal) {
-  const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
-  bg::model::multi_point<Point2> flat;
-  for (const glm::dvec3& p : points) flat.push_back({glm::dot(u, p), glm::dot(v, p)});
-  bg::model::polygon<Point2> hull;
-  bg::convex_hull(flat, hull);
-  const double height = glm::dot(normal, points.front());
-  ConvexBody::Polygon polygon;
-  for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
-    polygon.push_back(hull.outer()[i].x() * u + hull.outer()[i].y() * v + height * normal);
-  return polygon.size() >= 3 ? polygon : ConvexBody::Polygon{};
-}
-
 double sizeOf(const std::vector<ConvexBody::Polygon>& polygons) {
   double size = 0.0;
   for (const auto& polygon : polygons)
@@ -108,6 +93,20 @@ double sizeOf(const std::vector<ConvexBody::Polygon>& polygons) {
 HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& point) {
   const glm::dvec3 unit = glm::normalize(normal);
   return {unit, -glm::dot(unit, point)};
+}
+
+std::vector<glm::dvec3> hullInPlane(const std::vector<glm::dvec3>& points, const glm::dvec3& normal) {
+  const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
+  bg::model::multi_point<Point2> flat;
+  for (const glm::dvec3& p : points) flat.push_back({glm::dot(u, p), glm::dot(v, p)});
+  bg::model::polygon<Point2> hull;
+  bg::convex_hull(flat, hull);
+  const double height = glm::dot(normal, points.front());
+  ConvexBody::Polygon polygon;
+  for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
+    polygon.push_back(hull.outer()[i].x() * u + hull.outer()[i].y() * v + height * normal);
+  return polygon.size() >= 3 ? polygon : ConvexBody::Polygon{};
 }
 
 ConvexBody ConvexBody::hexahedron(const std::vector<glm::dvec3>& c) {

@@ -21,6 +21,9 @@ struct HalfSpace {
 /// The half space of a plane through `point`; `normal` of any length, it points inside.
 HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& point);
 
+/// Corners of the convex hull of points in a plane with this normal; none if they lie in one line.
+std::vector<glm::dvec3> hullInPlane(const std::vector<glm::dvec3>& points, const glm::dvec3& normal);
+
 /// A closed convex body. Clipping may leave nothing: then it has no polygons.
 class ConvexBody {
  public:

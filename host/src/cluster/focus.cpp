@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <boost/geometry.hpp>
-#include <boost/geometry/geometries/multi_polygon.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <glm/gtc/constants.hpp>
@@ -19,7 +19,6 @@ namespace {
 
 namespace bg = boost::geometry;
 using Point2 = bg::model::d2::point_xy<double>;
-using Polygon2 = bg::model::polygon<Point2>;
 using Outline = std::vector<glm::dvec2>;
 
 /// A single camera of an omni light sees at most this far to each side (55 degrees): more would waste its texels.
@@ -48,20 +47,23 @@ glm::dvec2 inPicture(const LightFrame& frame, const glm::dvec3& world) {
   return frame.parallel ? glm::dvec2(p) : glm::dvec2(p) / p.z;
 }
 
-Polygon2 hullOf(const Outline& points) {
+/// Convex hull, each corner once.
+Outline hullOf(const Outline& points) {
   bg::model::multi_point<Point2> list;
   for (const glm::dvec2& p : points) list.push_back({p.x, p.y});
-  Polygon2 hull;
+  bg::model::polygon<Point2> hull;
   bg::convex_hull(list, hull);
-  return hull;
+  Outline outline;
+  for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
+    outline.emplace_back(hull.outer()[i].x(), hull.outer()[i].y());
+  return outline;
 }
 
-void append(Outline& outline, const Polygon2& polygon) {
-  for (const Point2& p : polygon.outer()) outline.emplace_back(p.x(), p.y());
-}
+void append(Outline& outline, const Outline& more) { outline.insert(outline.end(), more.begin(), more.end()); }
 
-/// What a picture can show: a spot's circle, the square of one side of an omni light.
-Polygon2 pictureLimit(const LightFrame& frame, bool circle) {
+/// What a picture can show, around its middle: a polygon around a spot's circle, the square of one side of an omni
+/// light.
+Outline pictureLimit(const LightFrame& frame, bool circle) {
   Outline corners;
   const int sides = circle ? kConeSides : 4;
   const double radius = frame.tangent / std::cos(glm::pi<double>() / sides);
@@ -69,7 +71,24 @@ Polygon2 pictureLimit(const LightFrame& frame, bool circle) {
     const double angle = glm::two_pi<double>() * (i + 0.5) / sides;
     corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return hullOf(corners);
+  return corners;
+}
+
+/// Sutherland and Hodgman: what of a convex outline lies within a convex polygon around the middle of the picture.
+Outline clipOutline(Outline outline, const Outline& limit) {
+  for (std::size_t side = 0; side < limit.size(); ++side) {
+    const glm::dvec2 corner = limit[side], edge = limit[(side + 1) % limit.size()] - corner;
+    const auto inside = [&](const glm::dvec2& p) { return edge.x * (p.y - corner.y) - edge.y * (p.x - corner.x); };
+    Outline kept;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+      const double dp = inside(p), dq = inside(q);
+      if (dp >= 0.0) kept.push_back(p);
+      if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0)) kept.push_back(p + (q - p) * (dp / (dp - dq)));
+    }
+    outline = std::move(kept);
+  }
+  return outline;
 }
 
 /// An object in the picture: hull of its points; of its box clipped to the frustum if it reaches behind the light.
@@ -88,24 +107,15 @@ Outline objectOutline(const LightFrame& frame, const Seen& object, double nearDe
 }
 
 /// All objects in the picture, within `limit` if that is not null.
-Outline clusterOutline(const LightFrame& frame, const std::vector<Seen>& objects, const Polygon2* limit,
+Outline clusterOutline(const LightFrame& frame, const std::vector<Seen>& objects, const Outline* limit,
                        double nearDepth) {
   Outline all;
   for (const Seen& object : objects) {
     const Outline outline = objectOutline(frame, object, nearDepth);
     if (outline.empty()) continue;
-    const Polygon2 hull = hullOf(outline);
-    if (!limit) {
-      append(all, hull);
-      continue;
-    }
-    bg::model::multi_polygon<Polygon2> parts;
-    bg::intersection(hull, *limit, parts);
-    for (const Polygon2& part : parts) append(all, part);
+    append(all, limit ? clipOutline(hullOf(outline), *limit) : hullOf(outline));
   }
-  Outline outline;
-  if (!all.empty()) append(outline, hullOf(all));
-  return outline;
+  return all.empty() ? all : hullOf(all);
 }
 
 struct Rectangle {
@@ -171,7 +181,7 @@ MapView viewAround(LightFrame frame, Outline outline, const std::vector<Seen>& o
       const glm::dvec3 way = p.x * frame.right + p.y * frame.down + (frame.parallel ? 0.0 : 1.0) * frame.axis;
       seen.push_back(inPicture(next, way + next.position));
     }
-    append(outline = {}, hullOf(seen));
+    outline = hullOf(seen);
     frame = next;
     rectangle = smallestRectangle(outline);
   }
@@ -234,7 +244,7 @@ std::vector<MapView> omniViews(const Light& light, const std::vector<Seen>& obje
   std::vector<MapView> views;
   const std::vector<LightFrame> frames = lightFrames(light);
   for (std::size_t face = 0; face < frames.size(); ++face) {
-    const Polygon2 limit = pictureLimit(frames[face], false);
+    const Outline limit = pictureLimit(frames[face], false);
     const Outline outline = clusterOutline(frames[face], objects, &limit, nearDepth);
     if (outline.empty()) continue;
     views.push_back(viewAround(frames[face], outline, objects, nearDepth, mapSize));
@@ -260,7 +270,7 @@ std::vector<MapView> focusedViews(const Scene& scene, const Light& light, const 
   if (light.type == LightType::Omni) return omniViews(light, seen, nearDepth, mapSize);
   const LightFrame frame = lightFrames(light).front();
   const bool spot = light.type == LightType::Spot;
-  const Polygon2 cone = spot ? pictureLimit(frame, true) : Polygon2();
+  const Outline cone = spot ? pictureLimit(frame, true) : Outline();
   const Outline outline = clusterOutline(frame, seen, spot ? &cone : nullptr, nearDepth);
   if (outline.empty()) return {};
   return {viewAround(frame, outline, seen, nearDepth, mapSize)};

@@ -115,7 +115,10 @@ std::optional<LightSpace> LightSpace::make(const VisibleSpace& visible, const Li
   const std::vector<glm::dvec3> corners = seen.vertices();
   const auto [nearest, farthest] = std::minmax_element(
       corners.begin(), corners.end(), [&](const auto& a, const auto& b) { return depthOf(a) < depthOf(b); });
-  const double nearDepth = std::max(depthOf(*nearest), visible.nearDepth), farDepth = depthOf(*farthest);
+  const double nearDepth = std::max(depthOf(*nearest), visible.nearDepth);
+  const double farDepth = std::max(depthOf(*farthest), nearDepth);
+  space.nearEye_ = nearDepth;
+  space.farEye_ = farDepth;
   const glm::dvec3 start = space.toLight(*nearest);
   const double step = 1e-3 * std::max(farDepth - nearDepth, nearDepth);
   const glm::dvec2 view = glm::dvec2(space.toLight(*nearest + step * visible.forward)) - glm::dvec2(start);
@@ -158,6 +161,11 @@ glm::dvec2 LightSpace::project(const glm::dvec3& world) const {
   const double away = std::max(z + n, kNearestPart * n);  // from the reference point
   return {clampToSquare(2.0 * (x * n / away - low_) / width - 1.0),
           clampToSquare((f + n) / depth_ - 2.0 * f * n / (depth_ * away))};
+}
+
+double LightSpace::eyeDepth(const glm::dvec3& world) const {
+  const double part = (glm::dot(along_, glm::dvec2(toLight(world))) - nearest_) / depth_;
+  return glm::mix(nearEye_, farEye_, std::clamp(part, 0.0, 1.0));
 }
 
 }  // namespace cdsm::cluster

@@ -54,6 +54,10 @@ class LightSpace {
   /// Points must not lie behind the light; ones that the perspective cannot reach end up at the edge of [-3, 3]^2.
   glm::dvec2 project(const glm::dvec3& world) const;
 
+  /// Depth before the camera of what the light ray through a point meets there, about: it grows along the axis that the
+  /// camera looks along in the light's picture. Between the nearest and the farthest depth of what is seen.
+  double eyeDepth(const glm::dvec3& world) const;
+
  private:
   glm::dvec3 toLight(const glm::dvec3& world) const;
 
@@ -61,6 +65,7 @@ class LightSpace {
   glm::dvec2 along_{0, 1}, across_{1, 0};  ///< axes z and x of the light space, in the light's picture
   double nearest_ = 0.0, depth_ = 1.0;     ///< of the body along z: least, and extent
   double reference_ = 0.0;                 ///< n: from the reference point to the near plane; infinite: no perspective
+  double nearEye_ = 1.0, farEye_ = 1.0;    ///< depths before the camera of what is seen
   double center_ = 0.0;                    ///< x of the reference point
   double low_ = -1.0, high_ = 1.0;         ///< of the body along x, on the near plane
 };
