@@ -102,7 +102,8 @@ void addSurface(const World& world, const Ray& ray, const Crossing& crossing, Ac
   const Material& material = world.scene.materials[static_cast<std::size_t>(mesh.material)];
   if (material.opacity <= 0.0f) return;
   const glm::dvec3 normal = world.surfaces[static_cast<std::size_t>(crossing.mesh)].normal(crossing);
-  const Phong phong{glm::dvec3(material.diffuse), glm::dvec3(material.specular), material.shininess, normal, mesh.shadow.receives};
+  const Phong phong{glm::dvec3(material.diffuse), glm::dvec3(material.specular), material.shininess, normal,
+                    mesh.shadow.receives};
   pixel.add(shade(world, phong, ray.at(crossing.t), -ray.direction), material.opacity);
 }
 
