@@ -20,8 +20,11 @@ typedef struct ObjectData {
   uint mediumCount;
   uint hasNormals;       ///< 0 | 1: the vertices of its triangles have normals
   uint encloses;         ///< 0 | 1: rays keep track of whether they are inside
+  uint casts;            ///< 0 | 1: its surface and interior, or the volume of which it is the box, attenuate light
+  uint receives;         ///< 0 | 1: the surface is shadowed
+  uint padding0, padding1;
 } ObjectData;
-CDSM_SIZE(ObjectData, 96);
+CDSM_SIZE(ObjectData, 112);
 
 /// A volume, or the constant interior of a closed mesh.
 typedef struct MediumData {
@@ -37,7 +40,7 @@ typedef struct MediumData {
   float step;             ///< ray step in world units: half the smallest voxel edge, or as the scene says
   uint shading;           ///< 0 | 1: Phong with the gradient as normal
   uint boxObject;         ///< volume cut by a mesh: object of its box, inside of which a ray must be too; else ~0
-  uint padding;
+  uint receives;          ///< 0 | 1: it is shadowed
 } MediumData;
 CDSM_SIZE(MediumData, 144);
 

@@ -2,6 +2,8 @@
 // Builders of the image tests' scenes: every kind of object and shading at least once.
 #include "image_scenes.hpp"
 
+#include <algorithm>
+
 #include "reference/test_scenes.hpp"
 
 namespace cdsm::images {
@@ -111,14 +113,45 @@ Scene threeKindsOfLights() {
   return scene;
 }
 
+/// Some objects are lit as if nothing stood in the way.
+ImageScene someReceive(ImageScene scene, std::uint32_t seed) {
+  giveRandomRoles(scene.scene, seed);
+  for (Mesh& mesh : scene.scene.meshes) mesh.shadow.casts = true;
+  for (Volume& volume : scene.scene.volumes) volume.shadow.casts = true;
+  scene.name += "SomeReceive";
+  return scene;
+}
+
+ImageScene someCast(ImageScene scene, std::uint32_t seed) {
+  giveRandomRoles(scene.scene, seed);
+  scene.name += "SomeCast";
+  return scene;
+}
+
 }  // namespace
 
+bool allCast(const Scene& scene) {
+  const auto casts = [](const auto& object) { return object.shadow.casts; };
+  return std::all_of(scene.meshes.begin(), scene.meshes.end(), casts) &&
+         std::all_of(scene.volumes.begin(), scene.volumes.end(), casts);
+}
+
 std::vector<ImageScene> imageScenes() {
-  return {{"SmokeOverFloor", smokeOverFloor()},
-          {"SpheresUnderSheet", spheresUnderSheet()},
-          {"ShadedVolumes", shadedVolumes()},
-          {"MediumAndCut", mediumAndCut()},
-          {"ThreeKindsOfLights", threeKindsOfLights()}};
+  std::vector<ImageScene> scenes{{"SmokeOverFloor", smokeOverFloor()},
+                                 {"SpheresUnderSheet", spheresUnderSheet()},
+                                 {"ShadedVolumes", shadedVolumes()},
+                                 {"MediumAndCut", mediumAndCut()},
+                                 {"ThreeKindsOfLights", threeKindsOfLights()}};
+  struct Seeds {
+    std::size_t scene;
+    std::uint32_t receive, cast;
+  };
+  // chosen so that floors are shadowed, and not by all that is above them
+  for (const Seeds& seeds : {Seeds{1, 2, 16}, Seeds{2, 2, 4}, Seeds{3, 3, 6}, Seeds{4, 8, 10}}) {
+    scenes.push_back(someReceive(scenes[seeds.scene], seeds.receive));
+    scenes.push_back(someCast(scenes[seeds.scene], seeds.cast));
+  }
+  return scenes;
 }
 
 }  // namespace cdsm::images

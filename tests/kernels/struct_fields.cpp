@@ -96,10 +96,10 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                     F(padding1) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
-        F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) CDSM_END CDSM_BEGIN(MediumData) F(indexFromWorld)
-            F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias) F(lutOffset) F(lutLast) F(step) F(shading)
-                F(boxObject) F(padding) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
-                    F(padding) CDSM_END
+        F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(padding0) F(padding1) CDSM_END
+    CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias)
+        F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) CDSM_END CDSM_BEGIN(CellParams) F(cells)
+            F(lutScale) F(lutBias) F(lutLast) F(padding) CDSM_END
 
     template <class T>
     SharedStruct entry(const char* name, const char* header) {

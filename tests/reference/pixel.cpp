@@ -16,6 +16,7 @@ struct Phong {
   glm::dvec3 specular;  ///< k_s
   double shininess;
   glm::dvec3 normal;  ///< of unit length; 0: lit from everywhere alike
+  bool receives;      ///< what is left of the light; false: all of it
 };
 
 struct Accumulated {
@@ -28,9 +29,9 @@ struct Accumulated {
   }
 };
 
-double shadow(const World& world, const Light& light, const glm::dvec3& point) {
+double remainingAt(const World& world, const Light& light, const glm::dvec3& point, bool receives) {
   if (!lit(light, point)) return 0.0;
-  return world.scene.shadows.technique == "none" ? 1.0 : transmittance(world, light, point);
+  return receives && world.scene.shadows.technique != "none" ? transmittance(world, light, point) : 1.0;
 }
 
 /// What one light without a shadow adds; `view` points to the camera.
@@ -47,7 +48,7 @@ glm::dvec3 reflected(const Phong& phong, const Light& light, const glm::dvec3& p
 glm::dvec3 shade(const World& world, const Phong& phong, const glm::dvec3& point, const glm::dvec3& view) {
   glm::dvec3 color = phong.diffuse * glm::dvec3(world.scene.image.ambient);
   for (const Light& light : world.scene.lights) {
-    const double remaining = shadow(world, light, point);
+    const double remaining = remainingAt(world, light, point, phong.receives);
     if (remaining > 0.0) color += remaining * reflected(phong, light, point, view);
   }
   return color;
@@ -57,7 +58,8 @@ glm::dvec3 shadeVolume(const World& world, int index, const glm::dvec3& point, c
   const Volume& volume = world.scene.volumes[static_cast<std::size_t>(index)];
   const Grid& grid = world.grids[static_cast<std::size_t>(index)];
   const glm::dvec3 normal = volume.shading ? grid.normal(point) : glm::dvec3(0.0);
-  return shade(world, {grid.color(point), glm::dvec3(volume.specular), volume.shininess, normal}, point, view);
+  const Phong phong{grid.color(point), glm::dvec3(volume.specular), volume.shininess, normal, volume.shadow.receives};
+  return shade(world, phong, point, view);
 }
 
 /// Colour of a sample: those of all that is active, weighted by extinction.
@@ -72,7 +74,7 @@ glm::dvec3 shadeSample(const World& world, const Segment& segment, const glm::dv
   for (int index : segment.media) {
     const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(index)];
     const auto sigma = static_cast<double>(mesh.interiorExtinction);
-    const Phong phong{glm::dvec3(mesh.interiorColor), glm::dvec3(0.0), 1.0, glm::dvec3(0.0)};
+    const Phong phong{glm::dvec3(mesh.interiorColor), glm::dvec3(0.0), 1.0, glm::dvec3(0.0), mesh.shadow.receives};
     sum += sigma * shade(world, phong, point, view);
     weights += sigma;
   }
@@ -100,7 +102,8 @@ void addSurface(const World& world, const Ray& ray, const Crossing& crossing, Ac
   const Material& material = world.scene.materials[static_cast<std::size_t>(mesh.material)];
   if (material.opacity <= 0.0f) return;
   const glm::dvec3 normal = world.surfaces[static_cast<std::size_t>(crossing.mesh)].normal(crossing);
-  const Phong phong{glm::dvec3(material.diffuse), glm::dvec3(material.specular), material.shininess, normal};
+  const Phong phong{glm::dvec3(material.diffuse), glm::dvec3(material.specular), material.shininess, normal,
+                    mesh.shadow.receives};
   pixel.add(shade(world, phong, ray.at(crossing.t), -ray.direction), material.opacity);
 }
 

@@ -22,7 +22,7 @@ constexpr double kFineStep = 0.0;
 bool lit(const Light& light, const glm::dvec3& point);
 
 /// The part of the light that reaches the point, whatever the cone: surfaces strictly between times exp(-integral of
-/// the extinction), by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
+/// the extinction), of all that casts a shadow, by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
 /// The way from a point to the light, of unit length.

@@ -176,6 +176,16 @@ TransferFunction linearOpacity(double value, float opacity, float unitDistance) 
   return transfer;
 }
 
+void giveRandomRoles(Scene& scene, std::uint32_t seed) {
+  Random random(seed + 3000u);
+  const auto give = [&](ShadowRole& role) {
+    role.casts = random.integer(0, 1) == 1;
+    role.receives = random.integer(0, 1) == 1;
+  };
+  for (Mesh& mesh : scene.meshes) give(mesh.shadow);
+  for (Volume& volume : scene.volumes) give(volume.shadow);
+}
+
 std::vector<Light> otherLights(std::uint32_t seed) {
   Random random(seed + 2000u);
   Light omni, directional;

@@ -70,6 +70,9 @@ TransferFunction linearOpacity(double value, float opacity, float unitDistance);
 /// medium, cutting a volume), 1-2 spot lights outside of everything. The same for the same seed.
 Scene randomScene(std::uint32_t seed);
 
+/// Lets each object cast or not and receive or not, by chance. The same for the same seed.
+void giveRandomRoles(Scene& scene, std::uint32_t seed);
+
 /// An omni light "key" among a random scene's objects and a directional light "fill". The same for the same seed.
 std::vector<Light> otherLights(std::uint32_t seed);
 

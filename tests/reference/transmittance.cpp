@@ -9,6 +9,19 @@ namespace {
 
 glm::dvec3 axisOf(const Light& light) { return glm::normalize(glm::dvec3(light.target) - glm::dvec3(light.position)); }
 
+/// The segment without what casts no shadow; borders stay, so what does not cast still cuts.
+Segment castingPart(const World& world, Segment segment) {
+  const auto keepCasting = [](std::vector<int>& indices, const auto& objects) {
+    std::vector<int> casting;
+    for (const int i : indices)
+      if (objects[static_cast<std::size_t>(i)].shadow.casts) casting.push_back(i);
+    indices = casting;
+  };
+  keepCasting(segment.volumes, world.scene.volumes);
+  keepCasting(segment.media, world.scene.meshes);
+  return segment;
+}
+
 double stepOf(const World& world, const Segment& segment, double step) {
   if (step > 0.0) return step;
   if (step == kFineStep) return 0.25 * smallestEdge(world, segment);
@@ -20,6 +33,7 @@ double surfacesAfter(const World& world, const Segment& segment) {
   double product = 1.0;
   for (const Crossing& crossing : segment.after) {
     const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
+    if (!mesh.shadow.casts) continue;
     product *= 1.0 - static_cast<double>(world.scene.materials[static_cast<std::size_t>(mesh.material)].opacity);
   }
   return product;
@@ -29,7 +43,8 @@ double surfacesAfter(const World& world, const Segment& segment) {
 template <typename Visit>
 void march(const World& world, const Ray& ray, double length, double step, Visit visit) {
   double remaining = 1.0;
-  for (const Segment& segment : segmentsOf(world, ray, length)) {
+  for (const Segment& whole : segmentsOf(world, ray, length)) {
+    const Segment segment = castingPart(world, whole);
     const int steps = stepsIn(segment, stepOf(world, segment, step));
     const double h = (segment.end - segment.begin) / steps;
     for (int i = 0; i < steps; ++i) {

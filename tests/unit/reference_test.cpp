@@ -145,6 +145,36 @@ TEST(Reference, pixelOfAMediumByHand) {
   EXPECT_LT(glm::length(glm::dvec3(middle) - opacity * 1.1 * glm::dvec3(1.0, 0.5, 0.25)), 1e-6);
 }
 
+TEST(Reference, leavesOutWhatCastsNoShadow) {
+  Scene scene = emptyScene();
+  const Field filled = [](const glm::dvec3&) { return 1.0; };
+  addVolume(scene, makeVolume(VoxelType::UInt8, glm::uvec3(4), glm::vec3(-1.0f), glm::vec3(1.0f), filled),
+            constantOpacity(0.5f, 1.0f));
+  scene.volumes[0].boundary = addMesh(scene, boxMesh(glm::vec3(-0.5f), glm::vec3(0.5f)), addMaterial(scene, {}, 0.25f));
+  scene.meshes[0].interiorExtinction = 2.0f;
+  const glm::dvec3 below(0.01, -2.0, 0.02);
+  const double slant = glm::length(below - glm::dvec3(0.0, 4.0, 0.0)) / 6.0;
+  const double mesh = 0.75 * 0.75 * std::exp(-2.0 * slant), volume = std::pow(0.5, slant);
+  EXPECT_NEAR(transmittance(scene, scene.lights[0], below), mesh * volume, 1e-9);
+  scene.volumes[0].shadow.casts = false;
+  EXPECT_NEAR(transmittance(scene, scene.lights[0], below), mesh, 1e-9);
+  scene.meshes[0].shadow.casts = false;
+  EXPECT_EQ(transmittance(scene, scene.lights[0], below), 1.0);
+  scene.volumes[0].shadow.casts = true;
+  EXPECT_NEAR(transmittance(scene, scene.lights[0], below), volume, 1e-9) << "the mesh still cuts";
+}
+
+TEST(Reference, lightsWhatReceivesNoShadow) {
+  Scene scene = emptyScene();
+  scene.camera.position = {0.0f, 2.0f, 0.0f};
+  scene.camera.up = {0.0f, 0.0f, -1.0f};
+  addMesh(scene, stackMesh(1, 0.0f, 1.0f, 3.0f), addMaterial(scene, glm::vec3(0.5f), 1.0f));
+  addMesh(scene, stackMesh(1, 3.0f, 1.0f, 3.0f), addMaterial(scene, glm::vec3(0.5f), 1.0f));  // above the camera
+  EXPECT_NEAR(pixel(scene, 24.0, 16.0).x, 0.5 * 0.1, 1e-6) << "ambient light alone";
+  scene.meshes[0].shadow.receives = false;
+  EXPECT_NEAR(pixel(scene, 24.0, 16.0).x, 0.5 * 1.1, 1e-6);
+}
+
 TEST(Reference, firstPixelIsAtTheTopLeft) {
   const Scene scene = emptyScene();
   const Ray ray = cameraRay(scene, 0.5, 0.5);

@@ -113,6 +113,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   medium.lutLast = shared::uint(table.entries.size() - 1);
   medium.step = scene.shadows.step > 0.0f ? scene.shadows.step : 0.5f * voxelEdge(worldFromIndex);
   medium.shading = volume.shading;
+  medium.receives = volume.shadow.receives;
   medium.boxObject = volume.boundary < 0 ? ~0u : boxObject(scene, volume);
   for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
@@ -131,11 +132,14 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
   object.specular = {material.specular, material.shininess};
   object.firstMedium = shared::uint(mediumLists_.size());
   object.hasNormals = !mesh.data->normals.empty();
+  object.casts = mesh.shadow.casts;
+  object.receives = mesh.shadow.receives;
   if (mesh.interiorExtinction > 0.0f) {
     shared::MediumData medium{};
     medium.interior = {mesh.interiorColor, mesh.interiorExtinction};
     medium.size.w = -1;
     medium.boxObject = ~0u;
+    medium.receives = mesh.shadow.receives;
     mediumLists_.push_back(shared::uint(hostMedia_.size()));
     hostMedia_.push_back(medium);
     mediumOwner_.push_back(unsigned(index));
@@ -159,6 +163,8 @@ void DeviceScene::addBox(const Scene& scene, std::size_t index) {
   object.worldFromObject = affineOf(matrix);
   object.firstMedium = shared::uint(mediumLists_.size());
   object.encloses = 1;
+  object.casts = volume.shadow.casts;
+  object.receives = volume.shadow.receives;
   if (volume.boundary < 0) {
     object.mediumCount = 1;
     addVolumeMedium(scene, volume);

@@ -17,12 +17,25 @@ shared::float4 worldCorner(const build::DeviceScene& scene, const shared::Object
   return {dotPoint(m.x, p), dotPoint(m.y, p), dotPoint(m.z, p), 0.0f};
 }
 
-/// Surfaces and what encloses an interior or cuts a volume. Boxes of volumes are met by formula.
-std::vector<shared::BvhTriangle> castingTriangles(const build::DeviceScene& scene) {
+/// Per mesh, whether rays have to meet it: where its surface or its interior casts, or a volume that it cuts.
+std::vector<bool> metMeshes(const Scene& scene) {
+  std::vector<bool> met;
+  for (const Mesh& mesh : scene.meshes) {
+    const bool attenuates =
+        scene.materials[std::size_t(mesh.material)].opacity > 0.0f || mesh.interiorExtinction > 0.0f;
+    met.push_back(mesh.shadow.casts && attenuates);
+  }
+  for (const Volume& volume : scene.volumes)
+    if (volume.boundary >= 0 && volume.shadow.casts) met[std::size_t(volume.boundary)] = true;
+  return met;
+}
+
+/// Triangles of the meshes that rays have to meet, whose objects come first. Boxes of volumes are met by formula.
+std::vector<shared::BvhTriangle> trianglesOf(const build::DeviceScene& scene, const std::vector<bool>& meshes) {
   std::vector<shared::BvhTriangle> triangles;
   for (const shared::uint4& t : scene.geometry().hostTriangles()) {
+    if (scene.isBox(t.w) || !meshes[t.w]) continue;
     const shared::ObjectData& object = scene.hostObjects()[t.w];
-    if (scene.isBox(t.w) || (object.diffuse.w <= 0.0f && object.mediumCount == 0)) continue;
     shared::BvhTriangle triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
                                  worldCorner(scene, object, t.z)};
     std::memcpy(&triangle.a.w, &t.w, sizeof(float));
@@ -33,17 +46,17 @@ std::vector<shared::BvhTriangle> castingTriangles(const build::DeviceScene& scen
 
 }  // namespace
 
-void ShadowRays::buildHierarchy(const build::DeviceScene& scene) {
-  const Bvh bvh = buildBvh(castingTriangles(scene));
+void ShadowRays::buildHierarchy(const Scene& scene, const build::DeviceScene& deviceScene) {
+  const Bvh bvh = buildBvh(trianglesOf(deviceScene, metMeshes(scene)));
   nodes_ = device::Buffer<shared::BvhNode>::fromHost(device_, bvh.nodes, "hierarchy of triangles");
   triangles_ = device::Buffer<shared::BvhTriangle>::fromHost(device_, bvh.triangles, "triangles of shadow rays");
-  const auto mediumObjects = scene.objectsOfMedia();
+  const auto mediumObjects = deviceScene.objectsOfMedia();
   mediumCount_ = mediumObjects.size();
   mediumObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, mediumObjects, "objects of media");
 }
 
 void ShadowRays::prepare(const Preparation& to) {
-  if (to.objectsChanged) buildHierarchy(to.deviceScene);
+  if (to.objectsChanged) buildHierarchy(to.scene, to.deviceScene);
   std::vector<std::uint32_t> objects;
   around_.clear();
   for (const Light& light : to.scene.lights) {

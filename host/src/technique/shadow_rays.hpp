@@ -21,7 +21,7 @@ class ShadowRays : public ShadowTechnique {
   void addStats(const Scene&, FrameStats&) const override {}
 
  private:
-  void buildHierarchy(const build::DeviceScene& scene);
+  void buildHierarchy(const Scene& scene, const build::DeviceScene& deviceScene);
 
   device::Device& device_;
   std::size_t mediumCount_ = 0;
