@@ -178,7 +178,7 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
   mesh.interiorExtinction = reader.number("interior_extinction", mesh.interiorExtinction, scene::kNotNegative);
   mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
   reader.locate("file", [&] { mesh.data = assets.mesh(file); });
-  reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size()); });
+  reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size(), assets.checks()); });
   return mesh;
 }
 
@@ -197,7 +197,8 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   volume.shading = reader.flag("shading", volume.shading);
   if (!reader.text("boundary", "").empty()) volume.boundary = indexOf(reader, "boundary", scene.meshes, "mesh");
   reader.locate("file", [&] { volume.data = assets.volume(file); });
-  reader.locate(volume.boundary < 0 ? "file" : "boundary", [&] { scene::validateVolume(volume, scene.meshes); });
+  reader.locate(volume.boundary < 0 ? "file" : "boundary",
+                [&] { scene::validateVolume(volume, scene.meshes, assets.checks()); });
   return volume;
 }
 
