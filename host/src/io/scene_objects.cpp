@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "io/spelling.hpp"
 #include "io/volume_file.hpp"
@@ -136,7 +137,7 @@ std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file) {
 }
 
 Light readLight(const toml::table& table) {
-  const TableReader reader(table, "[[light]]", {"name", "type", "position", "target", "direction", "cutoff", "color"});
+  const TableReader reader(table, "[[light]]", keyNamesOf("light"));
   Light light;
   light.name = requiredText(reader, "name");
   light.type = readLightType(reader);
@@ -151,8 +152,7 @@ Light readLight(const toml::table& table) {
 }
 
 Material readMaterial(const toml::table& table) {
-  const TableReader reader(table, "[[material]]",
-                           {"name", "diffuse", "specular", "shininess", "opacity", "transmission"});
+  const TableReader reader(table, "[[material]]", keyNamesOf("material"));
   Material material;
   material.name = requiredText(reader, "name");
   material.diffuse = reader.vector("diffuse", material.diffuse, scene::kNotNegative);
@@ -166,9 +166,7 @@ Material readMaterial(const toml::table& table) {
 }
 
 Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
-  const TableReader reader(
-      table, "[[mesh]]",
-      {"name", "file", "material", "position", "rotation", "scale", "matrix", "interior_extinction", "interior_color"});
+  const TableReader reader(table, "[[mesh]]", keyNamesOf("mesh"));
   Mesh mesh;
   mesh.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
@@ -183,9 +181,7 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
 }
 
 Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
-  const TableReader reader(table, "[[volume]]",
-                           {"name", "file", "boundary", "opacity", "color", "transmission", "unit_distance", "specular",
-                            "shininess", "shading", "position", "rotation", "scale", "matrix"});
+  const TableReader reader(table, "[[volume]]", keyNamesOf("volume"));
   Volume volume;
   volume.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
