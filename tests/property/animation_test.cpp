@@ -18,7 +18,7 @@ constexpr int kFrames = 9;
 constexpr std::uint32_t kSeed = 7u;
 
 std::string fileOf(const std::string& name) {
-  return (std::filesystem::path(__FILE__).parent_path() / "../../scenes/analytic" / name).string();
+  return (std::filesystem::path(CDSM_TEST_DATA) / "../../scenes/analytic" / name).string();
 }
 
 /// moving_light.toml at a frame, through slab.toml: six decimals write its values exactly.
