@@ -30,7 +30,7 @@ void Console::progress(const std::string& step, float done) {
   const Clock::time_point now = Clock::now();
   if (now - started_ < kPatience || now - lastShown_ < kInterval) return;
   const int percent = static_cast<int>(100.0f * std::clamp(done, 0.0f, 1.0f));
-  std::cerr << kEraseLine << step << ' ' << percent << " %" << std::flush;
+  std::cerr << kEraseLine << label_ << step << ' ' << percent << " %" << std::flush;
   lineShown_ = true;
   lastShown_ = now;
 }

@@ -16,6 +16,9 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
+  /// What progress is about, before the step.
+  void setLabel(const std::string& label) { label_ = label; }
+
   /// `done` of this step in [0, 1].
   void progress(const std::string& step, float done);
 
@@ -27,6 +30,7 @@ class Console {
   bool quiet_;
   bool terminal_;
   bool lineShown_ = false;
+  std::string label_;
   Clock::time_point started_ = Clock::now();
   Clock::time_point lastShown_{};
 };

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// `cdsm render SCENE [-o IMAGE]`: the camera's image of a scene.
+// `cdsm render SCENE [-o IMAGE] [--frames FIRST:LAST]`: the camera's image of a scene, or those of an animation.
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include <cdsm/error.hpp>
 
 #include "commands.hpp"
+#include "io/frame_numbers.hpp"
 #include "io/image_file.hpp"
 #include "scene_run.hpp"
 
@@ -13,30 +18,81 @@ namespace {
 
 struct RenderOptions : SceneOptions {
   std::string image;
-  std::string frames;
+  std::optional<std::string> frames;
 };
 
-/// In the current folder, not in the scene's, which may be read-only.
-std::string defaultImage(const std::string& scene) { return std::filesystem::path(scene).stem().string() + ".png"; }
+/// Images lie in the current folder unless told otherwise, not in the scene's, which may be read-only.
+std::string nameOf(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 
-void render(const RenderOptions& options) {
-  if (!options.frames.empty()) throw UsageError("'--frames' is not supported yet");
-  const std::string image = options.image.empty() ? defaultImage(options.scene) : options.image;
-  io::checkImagePath(image);
-  requireDistinctFiles({options.scene, image, options.stats});
+io::FramePattern patternOf(const RenderOptions& options) {
+  return options.image.empty() ? io::FramePattern(nameOf(options.scene), ".png") : io::FramePattern(options.image);
+}
+
+/// One name for each frame, in their order.
+std::vector<std::string> imagesOf(const RenderOptions& options, const io::FrameRange& frames) {
+  const io::FramePattern pattern = patternOf(options);
+  if (frames.count() > 1 && !pattern.isNumbered()) {
+    throw UsageError("'" + options.image + "' is the name of one image, must have %d or %04d for the frame's number");
+  }
+  std::vector<std::string> images;
+  for (int frame = frames.first; frame <= frames.last; ++frame) images.push_back(pattern.path(frame));
+  return images;
+}
+
+void checkFiles(const SceneOptions& options, const std::vector<std::string>& images) {
+  for (const std::string& image : images) io::checkImagePath(image);
+  std::vector<std::string> files = images;
+  files.insert(files.end(), {options.scene, options.stats});
+  requireDistinctFiles(files);
+}
+
+void renderImage(const RenderOptions& options) {
+  const std::string image = options.image.empty() ? nameOf(options.scene) + ".png" : options.image;
+  checkFiles(options, {image});
   SceneRun run(options);
   io::writeImage(image, run.engine().render(run.scene()));
   run.writeStats();
 }
 
+void renderFrames(const RenderOptions& options, const io::FrameRange& frames, const std::vector<std::string>& images) {
+  checkFiles(options, images);
+  SceneRun run(options, frames.first);
+  std::vector<FrameStats> stats;
+  for (int frame = frames.first; frame <= frames.last; ++frame) {
+    run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
+    io::writeImage(images[frame - frames.first], run.engine().render(run.scene()));
+    stats.push_back(run.engine().stats());
+    stats.back().frame = frame;
+  }
+  run.writeStats(stats);
+}
+
+void render(const RenderOptions& options) {
+  if (!options.frames) return renderImage(options);
+  io::FrameRange frames;
+  std::vector<std::string> images;
+  try {
+    frames = io::parseFrames(*options.frames);
+    images = imagesOf(options, frames);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
+  renderFrames(options, frames, images);
+}
+
 }  // namespace
 
 void addRenderCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("render", "Render a scene to an image");
+  CLI::App* command = app.add_subcommand("render", "Render a scene to an image, or an animation to images");
   auto options = std::make_shared<RenderOptions>();
   addSceneOptions(*command, *options);
-  command->add_option("-o", options->image, "Image to write, .png or .exr [SCENE's name with .png]");
-  command->add_option("--frames", options->frames, "Animation, FIRST:LAST: not supported yet");
+  command->add_option("-o", options->image,
+                      "Image to write, .png or .exr; with --frames one %d or %04d stands for the frame's number "
+                      "[SCENE.png, SCENE_%04d.png]");
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames of an animation, from 0 on, in one process [the scene at frame 0]")
+      ->type_name("FIRST:LAST");
   command->final_callback([options] { render(*options); });
 }
 

@@ -11,7 +11,6 @@
 #include "commands.hpp"
 #include "engine/stats_json.hpp"
 #include "io/atomic_file.hpp"
-#include "io/scene_file.hpp"
 
 namespace cdsm::cli {
 namespace {
@@ -62,17 +61,26 @@ void requireDistinctFiles(const std::vector<std::string>& paths) {
   }
 }
 
-SceneRun::SceneRun(const SceneOptions& options)
+SceneRun::SceneRun(const SceneOptions& options, int frame)
     : statsPath_(checkedPath(options.stats)),
       console_(options.quiet),
-      scene_(io::readScene(options.scene, options.settings)),
+      reader_(options.scene, options.settings),
+      frame_(frame),
+      scene_(reader_.frame(frame)),
       engine_(engineOptions(options, console_)) {}
 
-void SceneRun::writeStats() const {
+void SceneRun::goTo(int frame, const std::string& label) {
+  console_.setLabel(label);
+  if (frame == frame_) return;
+  scene_ = reader_.frame(frame);
+  frame_ = frame;
+}
+
+void SceneRun::writeStats(const std::vector<FrameStats>& frames) const {
   if (statsPath_.empty()) return;
   io::AtomicFile file(statsPath_);
   std::ofstream stream(file.temporaryPath(), std::ios::binary);
-  stream << engine::statsJson(engine_.device(), scene_.shadows, {engine_.stats()});
+  stream << engine::statsJson(engine_.device(), scene_.shadows, frames);
   stream.close();
   if (!stream) throw Error(Location{statsPath_}, "cannot be written, must be on a disk with space");
   file.commit();

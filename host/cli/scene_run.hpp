@@ -10,6 +10,7 @@
 #include <cdsm/cdsm.hpp>
 
 #include "console.hpp"
+#include "io/scene_file.hpp"
 
 namespace cdsm::cli {
 
@@ -29,22 +30,30 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 /// result. Empty paths and "-" stand for no file.
 void requireDistinctFiles(const std::vector<std::string>& paths);
 
-/// A scene that was read and the engine to work on it. Making one checks the statistics' path before all else.
+/// A scene that was read and the engine to work on it, one for all frames. Making one checks the statistics' path
+/// before all else.
 class SceneRun {
  public:
-  explicit SceneRun(const SceneOptions& options);
+  explicit SceneRun(const SceneOptions& options, int frame = 0);
   SceneRun(const SceneRun&) = delete;
   SceneRun& operator=(const SceneRun&) = delete;
 
+  /// Of the frame at hand.
   const Scene& scene() const { return scene_; }
   Engine& engine() { return engine_; }
 
-  /// Writes the statistics of the engine's last call, if asked to.
-  void writeStats() const;
+  /// Goes on to another frame; `label` is what progress begins with.
+  void goTo(int frame, const std::string& label);
+
+  /// Writes statistics, if asked to: of the engine's last call, or of `frames` and with the settings of the last one.
+  void writeStats() const { writeStats({engine_.stats()}); }
+  void writeStats(const std::vector<FrameStats>& frames) const;
 
  private:
   std::string statsPath_;
   Console console_;
+  io::SceneReader reader_;
+  int frame_;
   Scene scene_;
   Engine engine_;
 };

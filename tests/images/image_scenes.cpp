@@ -130,12 +130,6 @@ ImageScene someCast(ImageScene scene, std::uint32_t seed) {
 
 }  // namespace
 
-bool allCast(const Scene& scene) {
-  const auto casts = [](const auto& object) { return object.shadow.casts; };
-  return std::all_of(scene.meshes.begin(), scene.meshes.end(), casts) &&
-         std::all_of(scene.volumes.begin(), scene.volumes.end(), casts);
-}
-
 std::vector<ImageScene> imageScenes() {
   std::vector<ImageScene> scenes{{"SmokeOverFloor", smokeOverFloor()},
                                  {"SpheresUnderSheet", spheresUnderSheet()},

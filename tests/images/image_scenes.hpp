@@ -14,9 +14,6 @@ struct ImageScene {
   Scene scene;
 };
 
-/// True if every object casts a shadow.
-bool allCast(const Scene& scene);
-
 /// Smoke over a floor; spheres under a translucent sheet; overlapping shaded volumes under two lights; a filled sphere
 /// beside a volume that a mesh cuts; smoke and spheres under a spot, an omni and a directional light. All but the first
 /// again with some objects that are not shadowed, and with some that cast no shadow.

@@ -18,7 +18,7 @@ constexpr double kMapLimit =
 constexpr double kRayLimit = 2e-3;  ///< the midpoint rule in the ramp
 
 std::string fileOf(const std::string& name) {
-  return (std::filesystem::path(__FILE__).parent_path() / "../../scenes/analytic" / name).string();
+  return (std::filesystem::path(CDSM_TEST_DATA) / "../../scenes/analytic" / name).string();
 }
 
 /// The columns lit and transmittance of NAME.csv.

@@ -12,9 +12,6 @@
 namespace cdsm::property {
 namespace {
 
-/// Whether deep shadow maps leave out what casts no shadow.
-constexpr bool kMapsHeedCasting = false;
-
 /// Owns the engines: they must be gone before static objects die, as OpenCL implementations are unloaded then.
 class EnginePool : public ::testing::Environment {
  public:
@@ -59,8 +56,6 @@ Path mapPath(const std::string& memory, const std::string& filter) {
 }
 
 Path rayPath() { return {"shadow-rays", "chunked", "bilinear", "buffer"}; }
-
-bool heedsCasting(const Path& path) { return path.technique != "deep-shadow-map" || kMapsHeedCasting; }
 
 Engine& engineOf(const std::string& fetch) { return pool->get(fetch); }
 

@@ -24,9 +24,6 @@ std::vector<Path> allPaths();
 Path mapPath(const std::string& memory = "chunked", const std::string& filter = "bilinear");
 Path rayPath();
 
-/// True where objects with casts_shadow = false cast none.
-bool heedsCasting(const Path& path);
-
 /// The shared engine that fetches this way ("buffer" or "image").
 Engine& engineOf(const std::string& fetch);
 /// False for "image" where the device has none.

@@ -53,7 +53,6 @@ void expectByHand(Scene scene) {
   const glm::vec3 below(0.13f, -2.0f, 0.07f), inside(0.13f, -0.2f, 0.07f), abovePosition(0.0f, 4.0f, 0.0f);
   const glm::vec3 insidePosition(0.02f, 0.1f, 0.01f);
   for (const Path& path : kPaths) {
-    if (!heedsCasting(path)) continue;
     scene.lights.front().position = abovePosition;
     const auto above = query(path, along(path, scene, kMapSize, kTolerance), {below, inside});
     EXPECT_NEAR(above[0].transmittance, byHand(scene, below - abovePosition, 1.0, 2), kAllowed) << path.name();
@@ -107,7 +106,7 @@ TEST(Roles, withoutReceiversOrCastersThereIsNoShadow) {
   for (const Path& path : kPaths) {
     EXPECT_GT(pictureDifference(render(path, lit), expected), 0.05f) << path.name();
     EXPECT_LE(pictureDifference(render(path, noReceivers), expected), 1e-5f) << path.name();
-    if (heedsCasting(path)) EXPECT_LE(pictureDifference(render(path, noCasters), expected), 1e-5f) << path.name();
+    EXPECT_LE(pictureDifference(render(path, noCasters), expected), 1e-5f) << path.name();
   }
 }
 
@@ -136,7 +135,6 @@ TEST(Roles, mayChangeFromFrameToFrame) {
       EXPECT_EQ(pictureDifference(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
       changed = scene;
       rolesOf(changed)[i]->casts = false;
-      if (!heedsCasting(path)) continue;
       EXPECT_GT(pictureDifference(render(path, changed), before), 0.02f) << path.name() << ", object " << i;
       EXPECT_EQ(pictureDifference(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
     }

@@ -38,6 +38,7 @@ GOOD_FILES = {
 }
 
 OUTPUTS = ["out.png", "out.csv", "stats.json"]
+NAMELESS = ["render", "scene.toml", "--quiet"]
 RENDER = ["render", "scene.toml", "-o", "out.png", "--stats", "stats.json", "--quiet"]
 QUERY = ["transmittance", "scene.toml", "--light", "key", "--points", "points.csv", "-o", "out.csv", "--quiet"]
 
@@ -89,6 +90,16 @@ def points(name, content, text):
 def settings(name, text, *values):
     """A scene changed on the command line."""
     return Case(name, text, RENDER + [word for value in values for word in ("--set", value)])
+
+
+def animated(key, frames, times=1):
+    """The good scene with an [[animate]] table."""
+    return GOOD_SCENE + times * (b"[[animate]]\nkey = " + key + b"\nframes = " + frames + b"\n")
+
+
+def animation(name, text, key, frames, arguments=(), status=1, outputs=(), base=RENDER):
+    """The good scene with an [[animate]] table, rendered with more arguments."""
+    return Case(name, text, base + list(arguments), {"scene.toml": animated(key, frames)}, status, outputs)
 
 
 def replaced(arguments, old, new):
@@ -208,6 +219,31 @@ MESHES = [
     mesh("unknown mesh format", b"x", "cup.xyz"),
 ]
 
+ANIMATIONS = [
+    animation("an animated scene without --frames", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", [], 0, ("out.png",)),
+    animation("one frame", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", ["--frames", "7"], 0, ("out.png",)),
+    animation("some frames", "", b"'camera.fov'", b"[[0, 40], [9, 50]]",
+              ["--frames", "9:11", "-o", "out_%03d.png"], 0, ("out_009.png", "out_010.png", "out_011.png"), NAMELESS),
+    animation("frames without a name", "", b"'camera.fov'", b"[[0, 40], [9, 50]]",
+              ["--frames", "0:1"], 0, ("scene_0000.png", "scene_0001.png"), NAMELESS),
+    animation("animation of an unknown key", "scene.toml:25:7: unknown key 'fvo' of camera", b"'camera.fvo'", b"[[0, 1]]"),
+    animation("animation of an unknown light", "unknown light 'fill', must be one of: key", b"'light.fill.color'", b"[]"),
+    animation("animation of a text", "'technique' is a text", b"'shadows.technique'", b"[[0, 1]]"),
+    animation("animation of nothing", "is no dotted key", b"''", b"[[0, 1]]"),
+    animation("animation without rows", "scene.toml:26:10: frames must be", b"'camera.fov'", b"[]"),
+    animation("animation with rows of different lengths", "scene.toml:26:20: a row", b"'camera.fov'", b"[[0, 45], []]"),
+    animation("animation with too few numbers", "[frame, 3 numbers]", b"'light.key.position'", b"[[0, 1, 2]]"),
+    animation("animation with a NaN", "scene.toml:26:15: an animated value", b"'camera.fov'", b"[[0, nan]]"),
+    animation("animation with half a frame", "scene.toml:26:12: a row", b"'camera.fov'", b"[[0.5, 45]]"),
+    animation("animation that runs backwards", "frame 1 follows frame 2", b"'camera.fov'", b"[[2, 45], [1, 45]]"),
+    animation("animation out of range at its first frame", "scene.toml:25:7: frame 0: fov is 180, must be in (0, 180)",
+              b"'camera.fov'", b"[[0, 180]]"),
+    animation("override of an animated key", "--set camera.fov=40: the key is animated in line 25", b"'camera.fov'",
+              b"[[0, 45]]", ["--set", "camera.fov=40"]),
+    Case("two animations of a key", "scene.toml:28:7: 'camera.fov' is already animated in line 25", RENDER,
+         {"scene.toml": animated(b"'camera.fov'", b"[[0, 45]]", 2)}),
+]
+
 QUERIES = [
     Case("unknown light", "fill", replaced(QUERY, "key", "fill")),
     Case("missing points", "points.csv", QUERY, {"points.csv": None}),
@@ -243,7 +279,21 @@ USAGE = [
         "unsupported command with options",
         "'export-map' is not supported yet", ["export-map", "scene.toml", "-o", "out.exr"],
     ),
-    usage("unsupported animation", "'--frames' is not supported yet", RENDER + ["--frames", "0:59"]),
+]
+
+FRAMES = [
+    usage(f"frames {frames!r}", "must be FIRST:LAST or one number", NAMELESS + [f"--frames={frames}"])
+    for frames in (" ", "a", "3:", ":3", "5:3", "-2:3", "1:2:3", "0.5", "0:1000000", "99999999999999999999")
+] + [
+    usage(f"frames to {image}", "must have", NAMELESS + ["--frames", "0:1", "-o", image])
+    for image in ("out.png", "%s.png", "%n%n%n.png", "%d_%d.png", "%4d.png", "%-4d.png", "100%.png", "%0999999999d.png")
+] + [
+    usage("a frame over the scene", "'scene.toml' is named twice", NAMELESS + ["--frames", "0:1"]
+          + ["-o", "out_%d.png", "--stats", "scene.toml"]),
+    usage("a frame over the statistics", "'out_1.png' is named twice", NAMELESS + ["--frames", "0:1"]
+          + ["-o", "out_%d.png", "--stats", "out_1.png"]),
+    Case("frames in no folder", "none/0.png", NAMELESS + ["--frames", "0:1", "-o", "none/%d.png"]),
+    Case("frames without a format", "0.jpg", NAMELESS + ["--frames", "0:1", "-o", "%d.jpg"]),
 ]
 
 LATER = [
@@ -259,4 +309,4 @@ LATER = [
     )
 ] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
 
-CASES = GOOD_RUNS + SCENES + VOLUMES + MESHES + QUERIES + RUNS + USAGE + LATER
+CASES = GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + MESHES + QUERIES + RUNS + USAGE + FRAMES + LATER

@@ -321,7 +321,6 @@ TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
       {"[[spheres]]\nname = 'x'\n", "scene.toml:1:1: 'spheres' in the scene is not supported yet"},
-      {"[[animate]]\nkey = 'x'\n", "scene.toml:1:1: 'animate' in the scene is not supported yet"},
   });
 }
 
@@ -363,7 +362,8 @@ TEST_F(SceneFile, NamesTheOverrideThatIsWrong) {
       {"light.cutoff=3", "the key must have the form light.NAME.KEY"},
       {"image.a.width=3", "the key must have the form image.KEY"},
       {"light.fill.name=key", "light 'key' is already in line 2"},
-      {"animate.x.key=3", "'animate' is not supported yet"},
+      {"animate.x.key=3", "'animate' has no dotted keys, its tables must be changed in the scene file"},
+      {"spheres.x.radius=3", "'spheres' is not supported yet"},
       {"width", "must be KEY=VALUE"},
       {"width=3", "must be KEY=VALUE with a dotted KEY"},
       {"=", "must be KEY=VALUE"},

@@ -19,8 +19,8 @@ FrameState::FrameState(const EngineOptions& options)
       shade_(*device_),
       query_(*device_) {}
 
-void FrameState::check(const Scene& scene) const {
-  if (!current_ || !scene::sameObjects(*current_, scene)) return validate(scene);
+void FrameState::check(const Scene& scene) {
+  if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
   scene::validateCamera(scene.camera);
   scene::validateImage(scene.image);
   scene::validateShadows(scene.shadows);

@@ -13,6 +13,7 @@
 #include "device/device.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
+#include "scene/data_checks.hpp"
 #include "technique/shadow_technique.hpp"
 
 namespace cdsm::engine {
@@ -22,8 +23,8 @@ class FrameState {
  public:
   explicit FrameState(const EngineOptions& options);
 
-  /// validate(), without looking again at objects that the last scene had too.
-  void check(const Scene& scene) const;
+  /// validate(), without looking again at objects that the last scene had too, or at data that was valid before.
+  void check(const Scene& scene);
 
   Image render(const Scene& scene);
   std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
@@ -50,6 +51,7 @@ class FrameState {
   render::QueryPass query_;
   std::unique_ptr<technique::ShadowTechnique> technique_;
   device::Buffer<shared::LightData> lights_;
+  scene::DataChecks dataChecks_;
   std::optional<Scene> current_;  ///< what all of it was made for; empty after an error
   FrameStats stats_;
   std::chrono::steady_clock::time_point begun_;

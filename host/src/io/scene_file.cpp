@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene file from text to Scene: parse, override, read table by table.
+// A scene file from text to Scene: parse, override, animate, read table by table.
 #include "io/scene_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
 
+#include "io/animation.hpp"
 #include "io/input_file.hpp"
 #include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
@@ -31,6 +33,7 @@ std::vector<std::string> allTables() {
   for (const auto* list : {&kSceneTables, &kSceneArrays, &kLaterSceneTables}) {
     names.insert(names.end(), list->begin(), list->end());
   }
+  names.push_back(kAnimateArray);
   return names;
 }
 
@@ -75,11 +78,10 @@ void readAll(const TableReader& root, const std::string& kind, std::vector<Objec
   }
 }
 
-Scene readTree(const toml::table& tree, const std::string& folder) {
+Scene readTree(const toml::table& tree, AssetCache& assets) {
   const TableReader root(tree, "the scene", allTables());
   for (const std::string& name : kLaterSceneTables) root.refuse(name);
   Scene scene;
-  AssetCache assets(folder);
   if (const toml::table* table = findTable(root, "camera")) scene.camera = readCamera(*table);
   if (const toml::table* table = findTable(root, "image")) scene.image = readImageSettings(*table);
   if (const toml::table* table = findTable(root, "shadows")) scene.shadows = readShadows(*table);
@@ -91,12 +93,64 @@ Scene readTree(const toml::table& tree, const std::string& folder) {
   return scene;
 }
 
+/// All [[animate]] tables, each about another key, and none about one of `overridden`.
+std::vector<Animation> readAnimations(toml::table& tree, const std::vector<ScenePath>& overridden,
+                                      const std::vector<std::string>& overrides) {
+  std::vector<Animation> animations;
+  for (const toml::table* table : findTables(TableReader(tree, "the scene", allTables()), kAnimateArray)) {
+    Animation animation(*table, tree);
+    for (const Animation& other : animations) {
+      if (!(other.path() == animation.path())) continue;
+      throw Error(animation.place(), "'" + animation.pathText() + "' is already animated in " +
+                                         lineText(other.place()) + ", must be animated once");
+    }
+    const auto match = std::find(overridden.begin(), overridden.end(), animation.path());
+    if (match != overridden.end()) {
+      throw Error(
+          Location{std::string(kOverridePrefix) + overrides[match - overridden.begin()]},
+          "the key is animated in " + lineText(animation.place()) + " of the scene file, must be changed there");
+    }
+    animations.push_back(std::move(animation));
+  }
+  return animations;
+}
+
 }  // namespace
 
+struct SceneReader::Parts {
+  toml::table tree;  ///< animated values are those of the frame that was read last
+  std::vector<Animation> animations;
+  AssetCache assets;
+};
+
+SceneReader::SceneReader(const std::string& path, const std::vector<std::string>& overrides)
+    : parts_(new Parts{parseScene(path), {}, AssetCache(fs::path(path).parent_path().string())}) {
+  std::vector<ScenePath> overridden;
+  for (const std::string& setting : overrides) overridden.push_back(applyOverride(parts_->tree, setting));
+  parts_->animations = readAnimations(parts_->tree, overridden, overrides);
+}
+
+SceneReader::~SceneReader() = default;
+SceneReader::SceneReader(SceneReader&&) noexcept = default;
+SceneReader& SceneReader::operator=(SceneReader&&) noexcept = default;
+
+bool SceneReader::animated() const { return !parts_->animations.empty(); }
+
+Scene SceneReader::frame(int number) {
+  for (const Animation& animation : parts_->animations) animation.apply(parts_->tree, number);
+  try {
+    return readTree(parts_->tree, parts_->assets);
+  } catch (const Error& error) {
+    for (const Animation& animation : parts_->animations) {
+      if (!error.where() || error.where()->file != animation.source()) continue;
+      throw Error(animation.place(), "frame " + std::to_string(number) + ": " + error.message());
+    }
+    throw;
+  }
+}
+
 Scene readScene(const std::string& path, const std::vector<std::string>& overrides) {
-  toml::table tree = parseScene(path);
-  for (const std::string& setting : overrides) applyOverride(tree, setting);
-  return readTree(tree, fs::path(path).parent_path().string());
+  return SceneReader(path, overrides).frame(0);
 }
 
 }  // namespace cdsm::io

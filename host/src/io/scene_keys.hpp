@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables a scene file may have. Their keys stand where they are read, in scene_settings.cpp and scene_objects.cpp.
+// The tables a scene file may have and the keys of each: the one list of names, which readers, --set and [[animate]]
+// share.
 #pragma once
 
 #include <string>
@@ -9,7 +10,32 @@ namespace cdsm::io {
 
 inline const std::vector<std::string> kSceneTables{"camera", "image", "shadows"};
 inline const std::vector<std::string> kSceneArrays{"light", "material", "mesh", "volume"};
+/// Not of the scene itself: how its numbers change from frame to frame.
+inline const std::string kAnimateArray = "animate";
 /// Of the contract, but refused by this version.
-inline const std::vector<std::string> kLaterSceneTables{"ambient_occlusion", "animate", "spheres"};
+inline const std::vector<std::string> kLaterSceneTables{"ambient_occlusion", "spheres"};
+
+/// What a key's value looks like.
+enum class KeyShape {
+  Text,
+  Flag,
+  Number,
+  Integer,
+  Vector,    ///< 3 numbers
+  Rotation,  ///< axis and angle, 4 numbers
+  Matrix,    ///< 16 numbers
+  Scale,     ///< a number or 3
+  Pairs,     ///< rows [value, opacity]
+  Quads,     ///< rows [value, r, g, b]
+};
+
+struct SceneKey {
+  std::string name;
+  KeyShape shape;
+};
+
+/// Of the tables [kind] or [[kind]], where `kind` is one of kSceneTables or kSceneArrays.
+const std::vector<SceneKey>& keysOf(const std::string& kind);
+std::vector<std::string> keyNamesOf(const std::string& kind);
 
 }  // namespace cdsm::io

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "io/spelling.hpp"
 #include "io/volume_file.hpp"
@@ -144,7 +145,7 @@ std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file) {
 }
 
 Light readLight(const toml::table& table) {
-  const TableReader reader(table, "[[light]]", {"name", "type", "position", "target", "direction", "cutoff", "color"});
+  const TableReader reader(table, "[[light]]", keyNamesOf("light"));
   Light light;
   light.name = requiredText(reader, "name");
   light.type = readLightType(reader);
@@ -159,8 +160,7 @@ Light readLight(const toml::table& table) {
 }
 
 Material readMaterial(const toml::table& table) {
-  const TableReader reader(table, "[[material]]",
-                           {"name", "diffuse", "specular", "shininess", "opacity", "transmission"});
+  const TableReader reader(table, "[[material]]", keyNamesOf("material"));
   Material material;
   material.name = requiredText(reader, "name");
   material.diffuse = reader.vector("diffuse", material.diffuse, scene::kNotNegative);
@@ -174,10 +174,7 @@ Material readMaterial(const toml::table& table) {
 }
 
 Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
-  const TableReader reader(
-      table, "[[mesh]]",
-      {"name", "file", "material", "position", "rotation", "scale", "matrix", "interior_extinction", "interior_color",
-       "casts_shadow", "receives_shadow", "cluster_weight"});
+  const TableReader reader(table, "[[mesh]]", keyNamesOf("mesh"));
   Mesh mesh;
   mesh.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
@@ -188,15 +185,12 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
   mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
   mesh.shadow = readShadowRole(reader);
   reader.locate("file", [&] { mesh.data = assets.mesh(file); });
-  reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size()); });
+  reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size(), assets.checks()); });
   return mesh;
 }
 
 Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets) {
-  const TableReader reader(
-      table, "[[volume]]",
-      {"name", "file", "boundary", "opacity", "color", "transmission", "unit_distance", "specular", "shininess",
-       "shading", "position", "rotation", "scale", "matrix", "casts_shadow", "receives_shadow", "cluster_weight"});
+  const TableReader reader(table, "[[volume]]", keyNamesOf("volume"));
   Volume volume;
   volume.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
@@ -209,7 +203,8 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   volume.shadow = readShadowRole(reader);
   if (!reader.text("boundary", "").empty()) volume.boundary = indexOf(reader, "boundary", scene.meshes, "mesh");
   reader.locate("file", [&] { volume.data = assets.volume(file); });
-  reader.locate(volume.boundary < 0 ? "file" : "boundary", [&] { scene::validateVolume(volume, scene.meshes); });
+  reader.locate(volume.boundary < 0 ? "file" : "boundary",
+                [&] { scene::validateVolume(volume, scene.meshes, assets.checks()); });
   return volume;
 }
 

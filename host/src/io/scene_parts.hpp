@@ -11,6 +11,7 @@
 #include <cdsm/scene.hpp>
 
 #include "io/toml_reader.hpp"
+#include "scene/data_checks.hpp"
 
 namespace cdsm::io {
 
@@ -23,10 +24,14 @@ class AssetCache {
   std::shared_ptr<const MeshData> mesh(const std::string& file);
   std::shared_ptr<const VolumeData> volume(const std::string& file);
 
+  /// Of these files' data.
+  scene::DataChecks& checks() { return checks_; }
+
  private:
   std::string folder_;
   std::map<std::string, std::shared_ptr<const MeshData>> meshes_;
   std::map<std::string, std::shared_ptr<const VolumeData>> volumes_;
+  scene::DataChecks checks_;
 };
 
 Camera readCamera(const toml::table& table);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "scene/range.hpp"
 #include "scene/validate.hpp"
@@ -28,17 +29,10 @@ const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"threshold",
                                                                    {"softness_distance", 1.0},
                                                                    {"softness_exponent", 1.0}};
 
-std::vector<std::string> shadowKeys() {
-  std::vector<std::string> keys{"technique",        "memory", "map_size", "tolerance", "filter",        "clusters",
-                                "cluster_distance", "stable", "step",     "bias",      "transmittance", "cache"};
-  for (const auto& [key, accepted] : kLaterShadowKeys) keys.push_back(key);
-  return keys;
-}
-
 }  // namespace
 
 Camera readCamera(const toml::table& table) {
-  const TableReader reader(table, "[camera]", {"position", "target", "up", "fov"});
+  const TableReader reader(table, "[camera]", keyNamesOf("camera"));
   Camera camera;
   camera.position = reader.vector("position", camera.position, scene::kCoordinate);
   camera.target = reader.vector("target", camera.target, scene::kCoordinate);
@@ -49,7 +43,7 @@ Camera readCamera(const toml::table& table) {
 }
 
 ImageSettings readImageSettings(const toml::table& table) {
-  const TableReader reader(table, "[image]", {"width", "height", "background", "ambient", "supersampling"});
+  const TableReader reader(table, "[image]", keyNamesOf("image"));
   ImageSettings image;
   image.width = reader.integer("width", image.width, scene::kImageSide);
   image.height = reader.integer("height", image.height, scene::kImageSide);
@@ -60,7 +54,7 @@ ImageSettings readImageSettings(const toml::table& table) {
 }
 
 ShadowSettings readShadows(const toml::table& table) {
-  const TableReader reader(table, "[shadows]", shadowKeys());
+  const TableReader reader(table, "[shadows]", keyNamesOf("shadows"));
   ShadowSettings shadows;
   shadows.technique = reader.choice("technique", shadows.technique, kTechniques);
   shadows.memory = reader.choice("memory", shadows.memory, kMemories);

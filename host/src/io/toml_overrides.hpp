@@ -6,11 +6,13 @@
 
 #include <toml++/toml.h>
 
+#include "io/scene_path.hpp"
+
 namespace cdsm::io {
 
-/// Puts a value into the tree. KEY is TABLE.KEY (image.width) or, for arrays of tables, KIND.NAME.KEY (light.key.cutoff
-/// is the cutoff of the [[light]] whose name is "key"). VALUE is TOML; what TOML cannot read is taken as a string, so
-/// that names need no quotes. Every error about it, now or when the tree is read, says `--set KEY=VALUE: ...`.
-void applyOverride(toml::table& scene, const std::string& setting);
+/// Puts a value into the tree and says where. KEY is a dotted path; VALUE is TOML, and what TOML cannot read is taken
+/// as a string, so that names need no quotes. Every error about it, now or when the tree is read, says
+/// `--set KEY=VALUE: ...`.
+ScenePath applyOverride(toml::table& scene, const std::string& setting);
 
 }  // namespace cdsm::io

@@ -12,6 +12,8 @@ namespace {
 
 using scene::Range;
 
+bool startsWith(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
+
 std::string typeName(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -67,7 +69,7 @@ std::vector<float> pointOf(const toml::node& node, std::size_t count, const std:
 
 Location locationOf(const toml::source_region& source) {
   const std::string file = source.path ? *source.path : std::string();
-  if (file.compare(0, kOverridePrefix.size(), kOverridePrefix) == 0) return {file, 0, 0};
+  if (startsWith(file, kOverridePrefix) || startsWith(file, kAnimatePrefix)) return {file, 0, 0};
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
@@ -86,6 +88,14 @@ const toml::source_region& TableReader::placeOf(std::string_view key) const {
   return node ? node->source() : table_.source();
 }
 
+const toml::source_region* TableReader::animatedPlace() const {
+  for (const auto& [key, value] : table_) {
+    const auto& file = value.source().path;
+    if (file && startsWith(*file, kAnimatePrefix)) return &value.source();
+  }
+  return nullptr;
+}
+
 void TableReader::fail(std::string_view key, const std::string& message) const { failAt(placeOf(key), message); }
 
 void TableReader::locate(std::string_view key, const std::function<void()>& action) const {
@@ -93,7 +103,8 @@ void TableReader::locate(std::string_view key, const std::function<void()>& acti
     action();
   } catch (const Error& error) {
     if (error.where()) throw;
-    fail(key, error.message());
+    const toml::source_region* animated = animatedPlace();
+    failAt(animated ? *animated : placeOf(key), error.message());
   }
 }
 

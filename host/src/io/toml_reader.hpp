@@ -18,6 +18,8 @@ namespace cdsm::io {
 
 /// How the place of a value that came from the command line begins; such a place has no line and column.
 inline constexpr std::string_view kOverridePrefix = "--set ";
+/// The same for a value that an [[animate]] table gave; SceneReader puts the table's place there.
+inline constexpr std::string_view kAnimatePrefix = "[[animate]] ";
 
 Location locationOf(const toml::source_region& source);
 [[noreturn]] void failAt(const toml::source_region& source, const std::string& message);
@@ -60,10 +62,13 @@ class TableReader {
 
   /// Throws at the key's value, or at the table when the key is missing.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
-  /// Runs `action`; an Error without a place gets that of the key's value, or of the table when the key is missing.
+  /// Runs `action`; an Error without a place gets that of an animated value of the table, without which it would have
+  /// come in every frame, else that of the key's value, or of the table when the key is missing.
   void locate(std::string_view key, const std::function<void()>& action) const;
 
   const toml::source_region& placeOf(std::string_view key) const;
+  /// Of any animated value, or nothing.
+  const toml::source_region* animatedPlace() const;
   const toml::table& table() const { return table_; }
 
  private:

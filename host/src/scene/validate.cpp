@@ -6,7 +6,7 @@
 
 #include <cdsm/error.hpp>
 
-#include "scene/closed_mesh.hpp"
+#include "scene/data_checks.hpp"
 #include "scene/range.hpp"
 #include "scene/transform.hpp"
 
@@ -65,8 +65,8 @@ void requireReach(const std::vector<glm::vec3>& points, const glm::dmat4& worldF
   }
 }
 
-void requireClosed(const Mesh& mesh, const std::string& why) {
-  const std::size_t open = openEdges(*mesh.data);
+void requireClosed(const Mesh& mesh, DataChecks& checks, const std::string& why) {
+  const std::size_t open = checks.openEdges(mesh.data);
   if (open == 0) return;
   throw Error(quoted("mesh", mesh.name) + " has " + std::to_string(open) + " open edge" + (open == 1 ? "" : "s") +
               ", must be closed " + why);
@@ -126,11 +126,11 @@ void validateMaterial(const Material& material) {
   requireRange(material.opacity, kUnitInterval, what + ": opacity");
 }
 
-void validateMesh(const Mesh& mesh, std::size_t materialCount) {
+void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& checks) {
   const std::string what = quoted("mesh", mesh.name);
   if (!mesh.data) throw Error(what + " has no data, must point to a MeshData");
   requireTransform(mesh.worldFromObject, what);
-  validateMeshData(*mesh.data, what);
+  checks.requireValid(mesh.data, what);
   requireReach(mesh.data->positions, mesh.worldFromObject, what);
   if (mesh.material < 0 || static_cast<std::size_t>(mesh.material) >= materialCount) {
     throw Error(what + ": material index is " + std::to_string(mesh.material) + ", must be below the number of " +
@@ -139,14 +139,14 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount) {
   requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
   requireVector(mesh.interiorColor, kNotNegative, what + ": interior_color");
   requireRange(mesh.shadow.weight, kClusterWeight, what + ": cluster_weight");
-  if (mesh.interiorExtinction > 0.0f) requireClosed(mesh, "to have an interior_extinction");
+  if (mesh.interiorExtinction > 0.0f) requireClosed(mesh, checks, "to have an interior_extinction");
 }
 
-void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes) {
+void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes, DataChecks& checks) {
   const std::string what = quoted("volume", volume.name);
   if (!volume.data) throw Error(what + " has no data, must point to a VolumeData");
   requireTransform(volume.worldFromObject, what);
-  validateVolumeData(*volume.data, what);
+  checks.requireValid(volume.data, what);
   requireReach(boxCorners(*volume.data), glm::dmat4(volume.worldFromObject) * glm::dmat4(volume.data->objectFromIndex),
                what);
   validateTransferFunction(volume.transfer, what);
@@ -157,19 +157,24 @@ void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes) {
     throw Error(what + ": boundary index is " + std::to_string(volume.boundary) + ", must be -1 or below the number " +
                 "of meshes, " + std::to_string(meshes.size()));
   }
-  if (volume.boundary >= 0) requireClosed(meshes[volume.boundary], "to be the boundary of " + what);
+  if (volume.boundary >= 0) requireClosed(meshes[volume.boundary], checks, "to be the boundary of " + what);
+}
+
+void validateScene(const Scene& scene, DataChecks& checks) {
+  validateCamera(scene.camera);
+  validateImage(scene.image);
+  validateShadows(scene.shadows);
+  for (const Light& light : scene.lights) validateLight(light);
+  for (const Material& material : scene.materials) validateMaterial(material);
+  for (const Mesh& mesh : scene.meshes) validateMesh(mesh, scene.materials.size(), checks);
+  for (const Volume& volume : scene.volumes) validateVolume(volume, scene.meshes, checks);
 }
 
 }  // namespace scene
 
 void validate(const Scene& scene) {
-  scene::validateCamera(scene.camera);
-  scene::validateImage(scene.image);
-  scene::validateShadows(scene.shadows);
-  for (const Light& light : scene.lights) scene::validateLight(light);
-  for (const Material& material : scene.materials) scene::validateMaterial(material);
-  for (const Mesh& mesh : scene.meshes) scene::validateMesh(mesh, scene.materials.size());
-  for (const Volume& volume : scene.volumes) scene::validateVolume(volume, scene.meshes);
+  scene::DataChecks checks;
+  scene::validateScene(scene, checks);
 }
 
 }  // namespace cdsm

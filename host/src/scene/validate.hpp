@@ -9,7 +9,12 @@
 
 #include <cdsm/scene.hpp>
 
+#include "scene/data_checks.hpp"
+
 namespace cdsm::scene {
+
+/// validate() for scenes that follow each other: `checks` knows the data of those before.
+void validateScene(const Scene& scene, DataChecks& checks);
 
 void validateCamera(const Camera& camera);
 void validateImage(const ImageSettings& image);
@@ -21,10 +26,10 @@ void validateLight(const Light& light);
 void validateMaterial(const Material& material);
 
 /// Data, transform and material of a mesh, and that it is closed when it has an interior.
-void validateMesh(const Mesh& mesh, std::size_t materialCount);
+void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& checks);
 
 /// Data, transform, boundary and transfer function. `meshes` are the scene's and valid themselves.
-void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes);
+void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes, DataChecks& checks);
 
 /// Positions finite, one normal or none per position, indices in range, at least one triangle.
 void validateMeshData(const MeshData& data, const std::string& what);

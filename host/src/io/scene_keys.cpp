@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/scene_keys.hpp"
+
+#include <map>
+
+namespace cdsm::io {
+namespace {
+
+const std::map<std::string, std::vector<SceneKey>> kKeys{
+    {"camera",
+     {{"position", KeyShape::Vector},
+      {"target", KeyShape::Vector},
+      {"up", KeyShape::Vector},
+      {"fov", KeyShape::Number}}},
+    {"image",
+     {{"width", KeyShape::Integer},
+      {"height", KeyShape::Integer},
+      {"background", KeyShape::Vector},
+      {"ambient", KeyShape::Vector},
+      {"supersampling", KeyShape::Integer}}},
+    {"shadows",
+     {{"technique", KeyShape::Text},
+      {"memory", KeyShape::Text},
+      {"map_size", KeyShape::Integer},
+      {"tolerance", KeyShape::Number},
+      {"filter", KeyShape::Text},
+      {"step", KeyShape::Number},
+      {"bias", KeyShape::Number},
+      {"transmittance", KeyShape::Text},
+      {"cache", KeyShape::Text},
+      {"clusters", KeyShape::Integer},
+      {"cluster_distance", KeyShape::Number},
+      {"stable", KeyShape::Flag},
+      {"threshold", KeyShape::Number},
+      {"samples", KeyShape::Integer},
+      {"seed", KeyShape::Integer},
+      {"pcf", KeyShape::Integer},
+      {"patch", KeyShape::Integer},
+      {"softness", KeyShape::Number},
+      {"softness_distance", KeyShape::Number},
+      {"softness_exponent", KeyShape::Number}}},
+    {"light",
+     {{"name", KeyShape::Text},
+      {"type", KeyShape::Text},
+      {"position", KeyShape::Vector},
+      {"target", KeyShape::Vector},
+      {"direction", KeyShape::Vector},
+      {"cutoff", KeyShape::Number},
+      {"color", KeyShape::Vector}}},
+    {"material",
+     {{"name", KeyShape::Text},
+      {"diffuse", KeyShape::Vector},
+      {"specular", KeyShape::Vector},
+      {"shininess", KeyShape::Number},
+      {"opacity", KeyShape::Number},
+      {"transmission", KeyShape::Vector}}},
+    {"mesh",
+     {{"name", KeyShape::Text},
+      {"file", KeyShape::Text},
+      {"material", KeyShape::Text},
+      {"position", KeyShape::Vector},
+      {"rotation", KeyShape::Rotation},
+      {"scale", KeyShape::Scale},
+      {"matrix", KeyShape::Matrix},
+      {"interior_extinction", KeyShape::Number},
+      {"interior_color", KeyShape::Vector},
+      {"casts_shadow", KeyShape::Flag},
+      {"receives_shadow", KeyShape::Flag},
+      {"cluster_weight", KeyShape::Number}}},
+    {"volume",
+     {{"name", KeyShape::Text},
+      {"file", KeyShape::Text},
+      {"boundary", KeyShape::Text},
+      {"opacity", KeyShape::Pairs},
+      {"color", KeyShape::Quads},
+      {"transmission", KeyShape::Quads},
+      {"unit_distance", KeyShape::Number},
+      {"specular", KeyShape::Vector},
+      {"shininess", KeyShape::Number},
+      {"shading", KeyShape::Flag},
+      {"position", KeyShape::Vector},
+      {"rotation", KeyShape::Rotation},
+      {"scale", KeyShape::Scale},
+      {"matrix", KeyShape::Matrix},
+      {"casts_shadow", KeyShape::Flag},
+      {"receives_shadow", KeyShape::Flag},
+      {"cluster_weight", KeyShape::Number}}},
+};
+
+}  // namespace
+
+const std::vector<SceneKey>& keysOf(const std::string& kind) { return kKeys.at(kind); }
+
+std::vector<std::string> keyNamesOf(const std::string& kind) {
+  std::vector<std::string> names;
+  for (const SceneKey& key : keysOf(kind)) names.push_back(key.name);
+  return names;
+}
+
+}  // namespace cdsm::io

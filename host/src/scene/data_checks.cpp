@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/data_checks.hpp"
+
+#include "scene/closed_mesh.hpp"
+#include "scene/validate.hpp"
+
+namespace cdsm::scene {
+
+DataChecks::Known* DataChecks::find(const std::shared_ptr<const void>& data) {
+  const auto entry = known_.find(data.get());
+  return entry != known_.end() && !entry->second.owner.expired() ? &entry->second : nullptr;
+}
+
+void DataChecks::remember(const std::shared_ptr<const void>& data) {
+  for (auto entry = known_.begin(); entry != known_.end();) {
+    entry = entry->second.owner.expired() ? known_.erase(entry) : std::next(entry);
+  }
+  known_[data.get()] = {data, std::nullopt};
+}
+
+void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what) {
+  if (find(data)) return;
+  validateMeshData(*data, what);
+  remember(data);
+}
+
+void DataChecks::requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what) {
+  if (find(data)) return;
+  validateVolumeData(*data, what);
+  remember(data);
+}
+
+std::size_t DataChecks::openEdges(const std::shared_ptr<const MeshData>& data) {
+  Known* known = find(data);
+  if (known && known->openEdges) return *known->openEdges;
+  const std::size_t open = scene::openEdges(*data);
+  if (known) known->openEdges = open;
+  return open;
+}
+
+}  // namespace cdsm::scene

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of meshes and volumes that look at each of them once, however many scenes it is part of.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <cdsm/scene.hpp>
+
+namespace cdsm::scene {
+
+/// Remembers what has been found out about data, which are immutable once they are shared, for as long as they live.
+/// Does not keep them alive. For one thread.
+class DataChecks {
+ public:
+  /// validateMeshData() and validateVolumeData(), unless the same data passed before.
+  void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what);
+  void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what);
+
+  /// openEdges() of valid data.
+  std::size_t openEdges(const std::shared_ptr<const MeshData>& data);
+
+ private:
+  struct Known {
+    std::weak_ptr<const void> owner;  ///< expired: another may have the address by now
+    std::optional<std::size_t> openEdges;
+  };
+
+  Known* find(const std::shared_ptr<const void>& data);
+  void remember(const std::shared_ptr<const void>& data);
+
+  std::map<const void*, Known> known_;
+};
+
+}  // namespace cdsm::scene
