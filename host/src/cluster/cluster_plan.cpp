@@ -12,29 +12,29 @@ namespace {
 constexpr double kNearPart = 1e-4;
 /// Of the outlines of volumes, whose shadows mostly fade out; of meshes 1.
 constexpr double kVolumeSharpness = 0.25;
+/// Of outlines that the camera does not see: they should not spoil the maps of what it sees.
+constexpr double kHiddenSharpness = 1e-6;
 /// An object that reaches through a plane by less than this part of the scene's size stands on it.
 constexpr double kStandsPart = 1e-5;
 
 /// One direction of a light: what matters there, and the space in which distances are measured.
 struct Direction {
   LightFrame frame;
-  ConvexBody body;  ///< B; for points everything that the light reaches
-  std::optional<LightSpace> space;
+  ConvexBody reached;               ///< what of the scene the light reaches
+  ConvexBody visible;               ///< B: what can have to do with shadows that the camera sees
+  std::optional<LightSpace> space;  ///< none if the camera sees nothing that is lit
   double nearDepth = 0.0;
 };
 
-Direction makeDirection(const VisibleSpace& visible, const LightFrame& frame, Purpose purpose) {
+Direction makeDirection(const VisibleSpace& visible, const LightFrame& frame) {
   Direction direction;
   direction.frame = frame;
   direction.nearDepth = kNearPart * std::max(double(visible.scene.diagonal()), 1e-20);
+  direction.reached = ConvexBody::box(visible.scene);
+  direction.reached.clip(frustumOf(frame, 0.0));
   const ConvexBody body = bodyOf(visible, frame);
   direction.space = LightSpace::make(visible, frame, body);
-  if (purpose == Purpose::Image) {
-    if (direction.space) direction.body = body;
-    return direction;
-  }
-  direction.body = ConvexBody::box(visible.scene);
-  direction.body.clip(frustumOf(frame, 0.0));
+  if (direction.space) direction.visible = body;
   return direction;
 }
 
@@ -53,7 +53,7 @@ std::vector<glm::dvec3> reachedCorners(const Direction& direction, const Caster&
 Extents extentsIn(const Direction& direction, const Caster& shape) {
   Extents extents;
   const LightFrame& frame = direction.frame;
-  if (!direction.body.mayTouch(shape.corners, {shape.normals.begin(), shape.normals.end()})) return extents;
+  if (!direction.reached.mayTouch(shape.corners, {shape.normals.begin(), shape.normals.end()})) return extents;
   extents.squareLow = extents.pictureLow = glm::dvec2(INFINITY);
   extents.squareHigh = extents.pictureHigh = glm::dvec2(-INFINITY);
   extents.nearDepth = INFINITY;
@@ -103,20 +103,31 @@ bool shadowsNothing(const Caster& flat, const std::vector<Caster>& shapes, const
                      [&](const Caster& other) { return hiddenBehind(flat, side, stands, other, visible.eye); });
 }
 
+/// True if the camera cannot see any shadow of the object.
+bool shadowIsHidden(const Caster& shape, const std::vector<Caster>& shapes, const std::vector<Direction>& directions,
+                    const VisibleSpace& visible) {
+  const std::vector<glm::dvec3> normals(shape.normals.begin(), shape.normals.end());
+  return std::none_of(directions.begin(), directions.end(),
+                      [&](const Direction& d) { return d.visible.mayTouch(shape.corners, normals); }) ||
+         (shape.plane && shadowsNothing(shape, shapes, directions.front().frame, visible));
+}
+
 }  // namespace
 
 LightPlan planLight(const Scene& scene, const Light& light, const std::vector<Caster>& shapes,
                     const VisibleSpace& visible, Purpose purpose) {
+  if (shapes.empty()) return {};
   std::vector<Direction> directions;
-  for (const LightFrame& frame : lightFrames(light)) directions.push_back(makeDirection(visible, frame, purpose));
+  for (const LightFrame& frame : lightFrames(light)) directions.push_back(makeDirection(visible, frame));
   LightPlan plan;
   for (const Caster& shape : shapes) {
     if (!casts(scene, shape.object)) continue;
-    if (purpose == Purpose::Image && shape.plane && shadowsNothing(shape, shapes, directions.front().frame, visible))
-      continue;
+    const bool hidden = shadowIsHidden(shape, shapes, directions, visible);
+    if (hidden && purpose == Purpose::Image) continue;
     ClusterItem item;
     item.weight = shape.weight;
     if (shape.object >= scene.meshes.size()) item.sharpness = kVolumeSharpness;
+    if (hidden) item.sharpness *= kHiddenSharpness;
     for (const Direction& direction : directions) item.directions.push_back(extentsIn(direction, shape));
     if (std::none_of(item.directions.begin(), item.directions.end(), [](const Extents& e) { return e.seen; })) continue;
     plan.items.push_back(std::move(item));

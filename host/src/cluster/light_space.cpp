@@ -10,6 +10,9 @@ namespace {
 
 /// Objects nearer to the light than this part of the scene's size do not take part in the perspective.
 constexpr double kNearPart = 1e-4;
+/// The scene's box is taken larger by this part of its size: flat objects on its border lie inside, whatever the
+/// rounding.
+constexpr float kMarginPart = 1e-5f;
 /// How far outside of the square [-1, 1]^2 a point may end up.
 constexpr double kFarthest = 3.0;
 /// Part of the way from the reference point to the near plane, nearer than which points count as this near.
@@ -47,7 +50,8 @@ std::vector<LightFrame> lightFrames(const Light& light) {
 
 VisibleSpace visibleSpace(const Camera& camera, double aspect, double nearDepth, const scene::Bounds& scene) {
   VisibleSpace visible;
-  visible.scene = scene;
+  const float margin = kMarginPart * std::max(scene.diagonal(), glm::length(scene.high));
+  visible.scene = {scene.low - margin, scene.high + margin};
   visible.eye = camera.position;
   visible.forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
   visible.nearDepth = nearDepth;
