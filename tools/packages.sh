@@ -16,6 +16,7 @@ libimath-dev            half floats in OpenImageIO's headers
 libassimp-dev           reads OBJ, PLY, STL and glTF meshes
 libteem-dev             reads NRRD volumes
 libnifti-dev            reads NIfTI volumes
+libboost-dev            Boost.Geometry: convex hulls of the clustering
 zlib1g-dev              inflates compressed volumes
 libtomlplusplus-dev     reads scene files
 libcli11-dev            parses the command line
