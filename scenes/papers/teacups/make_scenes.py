@@ -30,8 +30,8 @@ tolerance = 0.01
 [[light]]
 name = "key"
 position = [-9.0, 8.5, 5.0]
-target = [0.4, 0.0, -0.2]
-cutoff = 39.0
+target = [-1.2, 0.0, -2.6]
+cutoff = 42.0
 color = [1.2, 1.11, 0.98]
 
 [[material]]
