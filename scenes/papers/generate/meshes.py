@@ -67,18 +67,23 @@ def smooth(points, triangles, crease=40.0):
     return points[corners[first]], index.reshape(-1, 3), unit(normals[first])
 
 
-def components(points, triangles):
-    """Number of the connected part that each triangle belongs to, counted from 0."""
-    label = np.arange(len(points))
+def linked(count, first, second):
+    """Numbers 0 ... of the groups into which the pairs (first, second) link `count` things."""
+    label = np.arange(count)
     while True:
-        lowest = label[triangles].min(1)
         lower = label.copy()
-        for i in range(3):
-            np.minimum.at(lower, triangles[:, i], lowest)
+        np.minimum.at(lower, first, label[second])
+        np.minimum.at(lower, second, label[first])
         lower = lower[lower]
         if np.array_equal(lower, label):
-            return np.unique(label[triangles[:, 0]], return_inverse=True)[1]
+            return np.unique(label, return_inverse=True)[1]
         label = lower
+
+
+def components(points, triangles):
+    """Number of the connected part that each triangle belongs to, counted from 0."""
+    label = linked(len(points), triangles[:, [0, 1]].ravel(), triangles[:, [1, 2]].ravel())
+    return np.unique(label[triangles[:, 0]], return_inverse=True)[1]
 
 
 def kept(points, triangles, mask):

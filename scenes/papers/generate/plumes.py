@@ -21,6 +21,7 @@ class Plume:
     eddy: float        # size of the period of the turbulence
     spread: float      # how much wider streaks get by mixing, per square root of time
     seed: int
+    puffs: float = 0.7  # how unevenly the source gives off smoke, over its face and over time
     particles: int = 1_500_000
     steps: int = 90
 
@@ -31,7 +32,7 @@ def sample(field, places, period):
 
 
 def carried(plume, rng):
-    """Where the particles are at the end, and their ages in [0, 1]."""
+    """Where the particles are at the end, how much each of them weighs, and their ages in [0, 1]."""
     field = turbulence.flow(GRID, 2.0, 2.0, 24.0, rng)
     age = np.sort(rng.random(plume.particles))[::-1]
     turn, out = 2.0 * np.pi * rng.random(len(age)), np.sqrt(rng.random(len(age)))
@@ -39,6 +40,9 @@ def carried(plume, rng):
     places[:, 0] = plume.source[0] * out * np.cos(turn)
     places[:, 2] = plume.source[1] * out * np.sin(turn)
     lifetime = 1.25 * plume.height / plume.rise
+    left = places + np.array([0.0, plume.rise * lifetime, 0.0]) * age[:, None]  # time as a third axis
+    bursts = turbulence.scalar(GRID, 2.0, 2.0, 20.0, rng)
+    weight = np.exp(plume.puffs * sample(bursts, left, plume.eddy))
     tick = lifetime / plume.steps
     for step in range(plume.steps):
         alive = np.searchsorted(-age, -(1.0 - (step + 0.5) / plume.steps))
@@ -53,7 +57,7 @@ def carried(plume, rng):
         velocity[:, 2] += plume.wind[1] * plume.rise * grown
         places[:alive] += tick * velocity
     jitter = plume.spread * np.sqrt(age * lifetime)
-    return places + rng.standard_normal(places.shape) * jitter[:, None], age
+    return places + rng.standard_normal(places.shape) * jitter[:, None], weight, age
 
 
 def splatted(places, weights, size, voxel):
@@ -86,9 +90,9 @@ def density(plume):
     rng = np.random.default_rng(plume.seed)
     voxel = plume.height / plume.size[1]
     corner = np.array([-0.5 * plume.size[0], 0.0, -0.5 * plume.size[2]]) * voxel
-    places, age = carried(plume, rng)
-    fade = np.clip((1.0 - age) / 0.45, 0.0, 1.0) ** 1.5
-    grid = blurred(splatted(places - corner, fade, plume.size, voxel))
+    places, weight, age = carried(plume, rng)
+    weight *= np.clip((1.0 - age) / 0.45, 0.0, 1.0) ** 1.5
+    grid = blurred(splatted(places - corner, weight, plume.size, voxel))
     width, height, depth = plume.size
     x, y, z = (np.abs(np.linspace(-1.0, 1.0, n)) for n in plume.size)
     wall = (np.clip((1.0 - x) / 0.15, 0, 1)[None, None, :] * np.clip((1.0 - z) / 0.15, 0, 1)[:, None, None])

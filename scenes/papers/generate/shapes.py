@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Simple meshes: boxes, tubes along curves, a knot and a pergola."""
+"""Meshes made from scratch."""
 import numpy as np
 
 from . import meshes
@@ -51,3 +51,37 @@ def pergola(width=3.0, height=2.5, depth=2.0, rafters=11):
     parts += [box((-0.42 * width, y - 0.02, -0.4 * depth - 0.02), (0.42 * width, y + 0.02, -0.4 * depth + 0.02))
               for y in np.linspace(0.3, height - 0.3, 6)]
     return meshes.merged(parts)
+
+
+def frame(width, height, bar, depth):
+    """Four bars around an opening of width x height; the middle of its back at the origin."""
+    x, y = 0.5 * width, 0.5 * height
+    return meshes.merged([box((-x - bar, -y - bar, 0), (x + bar, -y, depth)),
+                          box((-x - bar, y, 0), (x + bar, y + bar, depth)),
+                          box((-x - bar, -y, 0), (-x, y, depth)), box((x, -y, 0), (x + bar, y, depth))])
+
+
+def stage(radius, half_width=30.0, depth=30.0, height=15.0, steps=24):
+    """A floor y = 0 that runs through a cove into a wall z = 0: a strip of quads, seen from +z."""
+    turn = np.linspace(0.0, 0.5 * np.pi, steps + 1)
+    profile = np.vstack([[[depth, 0.0]], np.column_stack([radius * (1 - np.sin(turn)), radius * (1 - np.cos(turn))]),
+                         [[0.0, height]]])
+    points = np.array([(x, y, z) for z, y in profile for x in (-half_width, half_width)])
+    low = 2 * np.arange(len(profile) - 1)
+    return points, np.vstack([np.column_stack([low, low + 1, low + 3]), np.column_stack([low, low + 3, low + 2])])
+
+
+def ball(rings=24, around=48):
+    """A unit sphere."""
+    tilt, turn = np.pi * np.arange(1, rings) / rings, 2.0 * np.pi * np.arange(around) / around
+    points = np.stack([np.outer(np.sin(tilt), np.cos(turn)), np.outer(np.cos(tilt), np.ones(around)),
+                       np.outer(np.sin(tilt), np.sin(turn))], -1).reshape(-1, 3)
+    points = np.vstack([points, [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]])
+    i, j = (index.ravel() for index in np.meshgrid(np.arange(rings - 2), np.arange(around), indexing="ij"))
+    a, b, c, d = (row * around + column % around for row in (i, i + 1) for column in (j, j + 1))
+    first, following = np.arange(around), (np.arange(around) + 1) % around
+    low = (rings - 2) * around
+    top, bottom = np.full(around, len(points) - 2), np.full(around, len(points) - 1)
+    return points, np.vstack([np.column_stack([a, b, d]), np.column_stack([a, d, c]),
+                              np.column_stack([top, following, first]),
+                              np.column_stack([bottom, low + first, low + following])])
