@@ -38,7 +38,7 @@ typedef struct TechniqueParams {
   uint bilinear;     ///< deep-shadow-map: 1: four weighted lookups, 0: nearest
   uint mediumCount;  ///< shadow-rays: of the scene
   uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
-  uint padding;
+  float texelBias;   ///< deep-shadow-map: texel widths that surface points are moved towards the light
 } TechniqueParams;
 CDSM_SIZE(TechniqueParams, 48);
 

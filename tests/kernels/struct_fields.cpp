@@ -82,7 +82,7 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) CDSM_END CDSM_BEGIN(QueryParams)
             F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(chunkCapacity) F(padding0)
                 F(padding1) F(padding2) CDSM_END CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount)
-                    F(nodeCount) F(padding) CDSM_END
+                    F(nodeCount) F(texelBias) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)

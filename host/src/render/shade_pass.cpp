@@ -9,7 +9,7 @@ namespace {
 
 /// Part of the scene's size by which surfaces are moved towards the light unless the scene says otherwise: more than
 /// the rounding of depths, less than anybody sees.
-constexpr float kBiasPart = 2e-4f;
+constexpr float kBiasPart = 2e-5f;
 
 shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& deviceScene,
                                 const shared::ViewData& view) {

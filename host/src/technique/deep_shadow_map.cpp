@@ -8,6 +8,13 @@
 
 namespace cdsm::technique {
 
+namespace {
+
+/// Texel widths that surface points are moved towards the light, unless the scene gives a bias.
+constexpr float kTexelBias = 0.5f;
+
+}  // namespace
+
 DeepShadowMap::DeepShadowMap(device::Device& device, std::unique_ptr<memory::MemoryStrategy> memory)
     : device_(device), memory_(std::move(memory)), pass_(device) {}
 
@@ -107,6 +114,7 @@ shared::TechniqueParams DeepShadowMap::params(const Scene& scene) const {
   shared::TechniqueParams params{};
   params.memory = memory_->params();
   params.bilinear = scene.shadows.filter == "bilinear";
+  params.texelBias = scene.shadows.bias > 0.0f ? 0.0f : kTexelBias;
   return params;
 }
 
