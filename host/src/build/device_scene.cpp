@@ -8,17 +8,12 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "build/transfer_table.hpp"
-#include "device/program.hpp"
 #include "scene/closed_mesh.hpp"
 #include "scene/range.hpp"
 
 namespace cdsm::build {
 
 namespace {
-
-/// Rings of empty macrocells that a ray may skip at once; further ones cost more to find than they save. Even: the
-/// two buffers take turns, and the cells of the other volumes must end in the right one.
-constexpr unsigned kMostRings = 6;
 
 shared::Affine affineOf(const glm::mat4& m) {
   const auto row = [&](int i) {
@@ -183,7 +178,7 @@ void DeviceScene::update(const Scene& scene) {
   updateBounds();
   geometry_.update(objectTriangles_);
   upload();
-  classifyCells();
+  cells_.run(slots_, hostMedia_, extinctionLut_);
   requireSteps();
 }
 
@@ -268,46 +263,6 @@ ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) cons
   return makeSet(std::move(objects), lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
 }
 
-void DeviceScene::classifyCells() {
-  Classified now;
-  now.extinctions = extinctionLut_;
-  for (const shared::MediumData& medium : hostMedia_) {
-    if (medium.size.w < 0) continue;
-    now.data.push_back(slots_.slot(medium.size.w).data);
-    now.tables.insert(now.tables.end(), {medium.lutScale, medium.lutBias, float(medium.lutOffset)});
-  }
-  if (classified_ == now) return;
-  classified_.reset();
-  cells_ = {};
-  cells_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
-  cellsBefore_ = {};
-  cellsBefore_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
-  for (const shared::MediumData& medium : hostMedia_) classify(medium);
-  classified_ = std::move(now);
-}
-
-void DeviceScene::classify(const shared::MediumData& medium) {
-  using Uints = device::Buffer<std::uint32_t>;
-  using Cells = device::Buffer<std::uint8_t>;
-  if (medium.size.w < 0) return;
-  const std::size_t count = std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
-  std::vector<std::uint32_t> solidBefore{0};
-  for (shared::uint i = 0; i <= medium.lutLast; ++i)
-    solidBefore.push_back(solidBefore.back() + (extinctionLut_[medium.lutOffset + i] > 0.0f));
-  const Uints solid = Uints::fromHost(device_, solidBefore, "table of extinctions");
-  const shared::CellParams params{medium.cells, medium.lutScale, medium.lutBias, medium.lutLast, 0};
-  const cl::Program& program = device_.programs().get({"build/macrocells.cl", {}, {}});
-  device::Kernel<shared::CellParams, device::Buffer<shared::float2>, Uints, Cells> classifyCells(device_, program,
-                                                                                                 "classifyCells");
-  device::Kernel<shared::CellParams, std::uint32_t, Cells, Cells> growReach(device_, program, "growReach");
-  classifyCells({"classify macrocells", {count}, {64}}, params, slots_.slot(medium.size.w).cellBounds, solid, cells_);
-  for (unsigned ring = 1; ring <= kMostRings; ++ring) {
-    std::swap(cells_, cellsBefore_);
-    growReach({"grow empty macrocells", {count}, {64}}, params, ring, cellsBefore_, cells_);
-  }
-  device_.finish();
-}
-
 device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
                                             const device::Buffer<std::uint32_t>& initialObjects) const {
   device::ArgumentList list{geometry_.triangles().cl(),
@@ -318,7 +273,7 @@ device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
                             media_.cl(),
                             extinctions_.cl(),
                             colors_.cl(),
-                            cells_.cl(),
+                            cells_.cells().cl(),
                             initialObjects.cl()};
   const device::ArgumentList volumes = slots_.arguments();
   list.insert(list.end(), volumes.begin(), volumes.end());

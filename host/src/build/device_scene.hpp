@@ -3,12 +3,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <cdsm/scene.hpp>
 
 #include "build/geometry.hpp"
+#include "build/macrocell_pass.hpp"
 #include "build/object_set.hpp"
 #include "build/volume_slots.hpp"
 #include "device/buffer.hpp"
@@ -20,7 +20,7 @@ namespace cdsm::build {
 
 class DeviceScene {
  public:
-  explicit DeviceScene(device::Device& device) : device_(device), slots_(device), geometry_(device) {}
+  explicit DeviceScene(device::Device& device) : device_(device), slots_(device), geometry_(device), cells_(device) {}
 
   /// Uploads a valid scene. Voxels and triangles that the last scene used too are not uploaded again.
   void update(const Scene& scene);
@@ -58,11 +58,8 @@ class DeviceScene {
   void upload();
   ObjectSet makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
                     float interiorStep) const;
-  /// Classifies the macrocells of all volumes, unless their values and extinctions are as before.
-  void classifyCells();
   /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
-  void classify(const shared::MediumData& medium);
 
   device::Device& device_;
   Scene scene_;  ///< what is on the device
@@ -87,20 +84,11 @@ class DeviceScene {
   std::vector<float> extinctionLut_;
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
-  /// What the macrocells were classified from: data, table of extinctions, scale and bias of each volume.
-  struct Classified {
-    std::vector<std::shared_ptr<const VolumeData>> data;
-    std::vector<float> extinctions, tables;
-    bool operator==(const Classified& other) const {
-      return data == other.data && extinctions == other.extinctions && tables == other.tables;
-    }
-  };
-  std::optional<Classified> classified_;
 
   device::Buffer<shared::MediumData> media_;
   device::Buffer<float> extinctions_;
   device::Buffer<shared::float4> colors_;
-  device::Buffer<std::uint8_t> cells_, cellsBefore_;
+  MacrocellPass cells_;
 };
 
 }  // namespace cdsm::build

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/macrocell_pass.hpp"
+
+#include <utility>
+
+#include "device/program.hpp"
+
+namespace cdsm::build {
+
+namespace {
+
+/// Rings of empty macrocells that a ray may skip at once; further ones cost more to find than they save. Even: the
+/// two buffers take turns, and the cells of the other volumes must end in the right one.
+constexpr unsigned kMostRings = 6;
+
+}  // namespace
+
+void MacrocellPass::run(const VolumeSlots& slots, const std::vector<shared::MediumData>& media,
+                        const std::vector<float>& extinctions) {
+  Classified now;
+  now.extinctions = extinctions;
+  std::size_t count = 0;
+  for (const shared::MediumData& medium : media) {
+    if (medium.size.w < 0) continue;
+    count += std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
+    now.data.push_back(slots.slot(medium.size.w).data);
+    now.tables.insert(now.tables.end(), {medium.lutScale, medium.lutBias, float(medium.lutOffset)});
+  }
+  if (classified_ == now) return;
+  classified_.reset();
+  cells_ = {};
+  cells_ = device::Buffer<std::uint8_t>(device_, count, "macrocells");
+  cellsBefore_ = {};
+  cellsBefore_ = device::Buffer<std::uint8_t>(device_, count, "macrocells");
+  for (const shared::MediumData& medium : media)
+    if (medium.size.w >= 0) classify(slots, medium, extinctions);
+  classified_ = std::move(now);
+}
+
+void MacrocellPass::classify(const VolumeSlots& slots, const shared::MediumData& medium,
+                             const std::vector<float>& extinctions) {
+  using Uints = device::Buffer<std::uint32_t>;
+  using Cells = device::Buffer<std::uint8_t>;
+  const std::size_t count = std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
+  std::vector<std::uint32_t> solidBefore{0};
+  for (shared::uint i = 0; i <= medium.lutLast; ++i)
+    solidBefore.push_back(solidBefore.back() + (extinctions[medium.lutOffset + i] > 0.0f));
+  const Uints solid = Uints::fromHost(device_, solidBefore, "table of extinctions");
+  const shared::CellParams params{medium.cells, medium.lutScale, medium.lutBias, medium.lutLast, 0};
+  const cl::Program& program = device_.programs().get({"build/macrocells.cl", {}, {}});
+  device::Kernel<shared::CellParams, device::Buffer<shared::float2>, Uints, Cells> classifyCells(device_, program,
+                                                                                                 "classifyCells");
+  device::Kernel<shared::CellParams, std::uint32_t, Cells, Cells> growReach(device_, program, "growReach");
+  classifyCells({"classify macrocells", {count}, {64}}, params, slots.slot(medium.size.w).cellBounds, solid, cells_);
+  for (unsigned ring = 1; ring <= kMostRings; ++ring) {
+    std::swap(cells_, cellsBefore_);
+    growReach({"grow empty macrocells", {count}, {64}}, params, ring, cellsBefore_, cells_);
+  }
+  device_.finish();
+}
+
+}  // namespace cdsm::build

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which macrocells of the volumes are empty under their transfer functions, and how far around them it is empty too.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "build/volume_slots.hpp"
+#include "shared/scene_data.h"
+
+namespace cdsm::build {
+
+class MacrocellPass {
+ public:
+  explicit MacrocellPass(device::Device& device) : device_(device) {}
+
+  /// Classifies the cells of all volumes among the media, unless values and extinctions are as before. `extinctions`:
+  /// the tables of all volumes.
+  void run(const VolumeSlots& slots, const std::vector<shared::MediumData>& media,
+           const std::vector<float>& extinctions);
+
+  /// Of all volumes, see MediumData::cells. 0: extinction somewhere in the cell, else empty.
+  const device::Buffer<std::uint8_t>& cells() const { return cells_; }
+
+ private:
+  /// What cells were classified from: data, tables of extinctions, where each volume's table and its cells are.
+  struct Classified {
+    std::vector<std::shared_ptr<const VolumeData>> data;
+    std::vector<float> extinctions, tables;
+
+    bool operator==(const Classified& other) const {
+      return data == other.data && extinctions == other.extinctions && tables == other.tables;
+    }
+  };
+
+  void classify(const VolumeSlots& slots, const shared::MediumData& medium, const std::vector<float>& extinctions);
+
+  device::Device& device_;
+  std::optional<Classified> classified_;
+  device::Buffer<std::uint8_t> cells_, cellsBefore_;
+};
+
+}  // namespace cdsm::build
