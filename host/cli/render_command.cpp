@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// `cdsm render SCENE [-o IMAGE] [--frames FIRST:LAST]`: the camera's image of a scene, or those of an animation.
+// `cdsm render SCENE [-o IMAGE] [--frames FIRST:LAST] [--view NAME]`: the camera's image of a scene, or those of an
+// animation; debug pictures in their place.
+#include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +12,7 @@
 #include <cdsm/error.hpp>
 
 #include "commands.hpp"
+#include "engine/view_names.hpp"
 #include "io/frame_numbers.hpp"
 #include "io/image_file.hpp"
 #include "scene_run.hpp"
@@ -19,6 +23,8 @@ namespace {
 struct RenderOptions : SceneOptions {
   std::string image;
   std::optional<std::string> frames;
+  std::optional<std::string> view;
+  std::optional<std::string> light;
 };
 
 /// Images lie in the current folder unless told otherwise, not in the scene's, which may be read-only.
@@ -46,11 +52,21 @@ void checkFiles(const SceneOptions& options, const std::vector<std::string>& ima
   requireDistinctFiles(files);
 }
 
+/// The scene's picture or the debug picture asked for. What its scale ends at is said on standard output.
+void renderTo(const std::string& image, const RenderOptions& options, SceneRun& run) {
+  if (!options.view) return io::writeImage(image, run.engine().render(run.scene()));
+  const std::vector<std::string>& names = engine::viewNames();
+  const auto view = DebugView(std::find(names.begin(), names.end(), *options.view) - names.begin());
+  io::writeImage(image, run.engine().render(run.scene(), {view, options.light}));
+  const std::optional<ViewStats>& stats = run.engine().stats().view;
+  if (stats->scale) std::cout << image << ": " << stats->name << " from 0 to " << *stats->scale << std::endl;
+}
+
 void renderImage(const RenderOptions& options) {
   const std::string image = options.image.empty() ? nameOf(options.scene) + ".png" : options.image;
   checkFiles(options, {image});
   SceneRun run(options);
-  io::writeImage(image, run.engine().render(run.scene()));
+  renderTo(image, options, run);
   run.writeStats();
 }
 
@@ -60,7 +76,7 @@ void renderFrames(const RenderOptions& options, const io::FrameRange& frames, co
   std::vector<FrameStats> stats;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
-    io::writeImage(images[frame - frames.first], run.engine().render(run.scene()));
+    renderTo(images[frame - frames.first], options, run);
     stats.push_back(run.engine().stats());
     stats.back().frame = frame;
   }
@@ -93,6 +109,17 @@ void addRenderCommand(CLI::App& app) {
       ->add_option("--frames", options->frames,
                    "Frames of an animation, from 0 on, in one process [the scene at frame 0]")
       ->type_name("FIRST:LAST");
+  CLI::Option* view =
+      command
+          ->add_option(
+              "--view", options->view,
+              "A picture of internals instead: clusters of casters, nodes of the maps' texels, layers or steps "
+              "along camera rays, texels of the maps")
+          ->check(CLI::IsMember(engine::viewNames()))
+          ->type_name("NAME");
+  command->add_option("--light", options->light, "The light whose maps --view shows [the scene's first]")
+      ->needs(view)
+      ->type_name("NAME");
   command->final_callback([options] { render(*options); });
 }
 

@@ -3,6 +3,7 @@
 #include "struct_fields.hpp"
 
 #include "shared/bvh_data.h"
+#include "shared/debug_data.h"
 #include "shared/frame_data.h"
 #include "shared/layer_data.h"
 #include "shared/map_data.h"
@@ -84,6 +85,9 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                 F(padding1) F(padding2) CDSM_END CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount)
                     F(nodeCount) F(texelBias) CDSM_END
 
+    CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen)
+        F(nodes) F(map) F(checker) CDSM_END
+
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)
             F(padding1) CDSM_END CDSM_BEGIN(SetupParams) F(firstTriangle) F(triangleCount) F(capacity)
@@ -119,7 +123,8 @@ std::vector<SharedStruct> sharedStructs() {
           CDSM_ENTRY(MapData, "map_data.h"),          CDSM_ENTRY(MemoryParams, "map_data.h"),
           CDSM_ENTRY(BuildCounters, "map_data.h"),    CDSM_ENTRY(Affine, "scene_data.h"),
           CDSM_ENTRY(ObjectData, "scene_data.h"),     CDSM_ENTRY(MediumData, "scene_data.h"),
-          CDSM_ENTRY(CellParams, "scene_data.h"),     CDSM_ENTRY(ViewData, "view_data.h")};
+          CDSM_ENTRY(CellParams, "scene_data.h"),     CDSM_ENTRY(ViewData, "view_data.h"),
+          CDSM_ENTRY(ProbeParams, "debug_data.h"),    CDSM_ENTRY(MapProbe, "debug_data.h")};
 }
 
 }  // namespace cdsm::kernels

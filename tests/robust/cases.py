@@ -263,6 +263,23 @@ RUNS = [
     Case("device number out of range", "99:0", RENDER + ["--device", "99:0"]),
 ]
 
+VIEWS = [
+    works(f"view {view}", RENDER + ["--view", view, "--light", "key"], ("out.png", "stats.json"))
+    for view in ("clusters", "nodes", "layers", "steps", "texels")
+] + [
+    works("a view without shadows", RENDER + ["--view", "steps", "--set", "shadows.technique=none"], ("out.png",)),
+    works("a view of frames", NAMELESS + ["--frames", "0:1", "--view", "nodes"], ("scene_0000.png", "scene_0001.png")),
+    usage("unknown view", "--view: node not in {clusters,nodes,layers,steps,texels}", RENDER + ["--view", "node"]),
+    usage("light without a view", "--light requires --view", RENDER + ["--light", "key"]),
+    Case("view of an unknown light", "there is no light 'fill'; known: key",
+         RENDER + ["--view", "nodes", "--light", "fill"]),
+    Case("view of a light without a name", "there is no light ''", RENDER + ["--view", "steps", "--light", ""]),
+] + [
+    Case(f"{view} of rays", f"view '{view}' shows the deep shadow maps of a light, shadows.technique is 'shadow-rays'",
+         RENDER + ["--view", view, "--set", "shadows.technique=shadow-rays"])
+    for view in ("clusters", "nodes", "texels")
+]
+
 USAGE = [
     usage("no command", "error: ", []),
     usage("unknown command", "unknown command 'rendr'", ["rendr", "scene.toml"]),
@@ -309,4 +326,4 @@ LATER = [
     )
 ] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
 
-CASES = GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + MESHES + QUERIES + RUNS + USAGE + FRAMES + LATER
+CASES = GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + MESHES + QUERIES + RUNS + VIEWS + USAGE + FRAMES + LATER

@@ -28,5 +28,15 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   EXPECT_EQ(settings.at("bias"), 0.0);
 }
 
+TEST(StatsJson, NamesADebugPictureAndItsScale) {
+  std::vector<FrameStats> frames(3);
+  frames[1].view = ViewStats{"nodes", 37};
+  frames[2].view = ViewStats{"clusters", {}};
+  const auto list = nlohmann::json::parse(statsJson({}, {}, frames)).at("frames");
+  EXPECT_FALSE(list[0].contains("view"));
+  EXPECT_EQ(list[1].at("view"), nlohmann::json({{"name", "nodes"}, {"scale", 37}}));
+  EXPECT_EQ(list[2].at("view"), nlohmann::json({{"name", "clusters"}}));
+}
+
 }  // namespace
 }  // namespace cdsm::engine

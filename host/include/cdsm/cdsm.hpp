@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,21 @@ struct Transmittance {
   float transmittance;  ///< 0 where not lit
 };
 
+/// Pictures of what is going on inside, as the camera sees it. Layers and steps do not depend on shadows; the others
+/// need the technique "deep-shadow-map" and show one light's maps.
+enum class DebugView {
+  Clusters,  ///< objects in the colours of their clusters, shaded; grey: casts in none
+  Nodes,     ///< nodes of the visibility functions of the texels in which the first visible point is looked up
+  Layers,    ///< fragments along the ray, those of the boxes of volumes and those out of sight included
+  Steps,     ///< samples of media shaded along the ray
+  Texels,    ///< the picture with the texels of the map that the first visible point is looked up in, by cluster
+};
+
+struct ViewOptions {
+  DebugView view = DebugView::Clusters;
+  std::optional<std::string> light;  ///< name of the light whose maps are shown; none: the scene's first
+};
+
 /// Renders scenes and answers for the light at points. Holds device memory; one engine is used by one thread at a time,
 /// several engines may live side by side. What is built for a scene is kept until a scene that differs is given.
 class Engine {
@@ -64,6 +80,11 @@ class Engine {
 
   /// The camera's image of the scene. Throws Error or DeviceError; the engine stays usable.
   Image render(const Scene& scene);
+
+  /// A debug picture of the scene; maps are those of render(). Counts are colours of a scale from 0, dark, to the
+  /// greatest count, bright: stats().view says which; black where there is nothing. Throws Error for an unknown light
+  /// or a technique without maps.
+  Image render(const Scene& scene, const ViewOptions& options);
 
   /// Transmittance from the light of that name to world points, in their order, as the scene's technique sees it and
   /// without bias [Knecht 2011, §3.3]. Throws Error for an unknown light.

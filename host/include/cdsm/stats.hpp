@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,12 @@ struct KernelTime {
   std::uint64_t launches = 0;
 };
 
+/// Of a debug picture.
+struct ViewStats {
+  std::string name;                    ///< clusters | nodes | layers | steps | texels
+  std::optional<std::uint64_t> scale;  ///< the greatest count, if it shows counts
+};
+
 struct FrameStats {
   int frame = 0;
   double clusterMs = 0.0, rasterizeMs = 0.0, buildMapsMs = 0.0, renderMs = 0.0;
@@ -54,6 +61,7 @@ struct FrameStats {
   std::vector<KernelTime> kernels;
   std::uint64_t shadedSamples = 0;   ///< volume samples with an opacity, summed over the camera's rays
   std::vector<std::string> reports;  ///< what a pass had to repeat, and why ("pair buffer grown to ...")
+  std::optional<ViewStats> view;     ///< if the frame was a debug picture
 };
 
 }  // namespace cdsm

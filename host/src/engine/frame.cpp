@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/frame.hpp"
 
+#include <numeric>
+
 #include "cluster/light_camera.hpp"
 #include "engine/supersampling.hpp"
 #include "scene/changes.hpp"
@@ -17,7 +19,8 @@ FrameState::FrameState(const EngineOptions& options)
       deviceScene_(*device_),
       raster_(*device_),
       shade_(*device_),
-      query_(*device_) {}
+      query_(*device_),
+      debug_(*device_) {}
 
 void FrameState::check(const Scene& scene) {
   if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
@@ -33,19 +36,25 @@ Image FrameState::render(const Scene& scene) {
 
   progress("render", 0.0f);
   device_->profiler().beginGroup("render");
-  const int rays = scene.image.supersampling;
-  const float nearDepth = scene::cameraNearDepth(scene.camera, deviceScene_.bounds());
-  const shared::ViewData view =
-      scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
-  build::Layers& layers =
-      raster_.run(deviceScene_, deviceScene_.allObjects(), view, [this](const std::string& what) { report(what); });
-  const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
-  stats_.shadedSamples = shaded.shadedSamples;
-  Image image = resolve(shaded.pixels, scene.image);
+  Image image = resolve(shade(scene).pixels, scene.image);
 
   finishStats(scene);
   progress("render", 1.0f);
   return image;
+}
+
+build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
+  const int rays = scene.image.supersampling;
+  const float nearDepth = scene::cameraNearDepth(scene.camera, deviceScene_.bounds());
+  const shared::ViewData view =
+      scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
+  return raster_.run(deviceScene_, deviceScene_.allObjects(), view, [this](const std::string& what) { report(what); });
+}
+
+render::ShadedView FrameState::shade(const Scene& scene) {
+  render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_);
+  stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
+  return shaded;
 }
 
 std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,

@@ -11,6 +11,7 @@
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
 #include "device/device.hpp"
+#include "render/debug_pass.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
 #include "scene/data_checks.hpp"
@@ -27,6 +28,8 @@ class FrameState {
   void check(const Scene& scene);
 
   Image render(const Scene& scene);
+  /// `light`: number of the one whose maps are shown.
+  Image renderView(const Scene& scene, DebugView view, std::size_t light);
   std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
 
   const DeviceDescription& device() const { return device_->description(); }
@@ -38,6 +41,15 @@ class FrameState {
   void uploadObjects(const Scene& scene);
   void prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged);
   void uploadLights(const Scene& scene);
+  /// The camera's fragments. They are used up by the pass that walks them.
+  build::Layers& rasterizeCamera(const Scene& scene);
+  render::ShadedView shade(const Scene& scene);
+  /// Number of the light whose maps are asked about.
+  std::vector<shared::MapProbe> probe(const Scene& scene, std::size_t light);
+  std::vector<shared::float4> clusterRays(const Scene& scene, std::size_t light);
+  std::vector<shared::float4> texelRays(const Scene& scene, std::size_t light);
+  /// Counts of the views that show some, by ray; kNothing where there is nothing.
+  std::vector<std::int64_t> viewCounts(const Scene& scene, DebugView view, std::size_t light);
   void beginStats();
   void finishStats(const Scene& scene);
   void report(const std::string& what);
@@ -49,6 +61,7 @@ class FrameState {
   build::RasterPass raster_;
   render::ShadePass shade_;
   render::QueryPass query_;
+  render::DebugPass debug_;
   std::unique_ptr<technique::ShadowTechnique> technique_;
   device::Buffer<shared::LightData> lights_;
   scene::DataChecks dataChecks_;

@@ -47,19 +47,27 @@ Json kernelsJson(const std::vector<KernelTime>& kernels) {
   return list;
 }
 
+Json viewJson(const ViewStats& view) {
+  Json json = {{"name", view.name}};
+  if (view.scale) json["scale"] = *view.scale;
+  return json;
+}
+
 Json frameJson(const FrameStats& frame) {
   const Json times = {{"cluster", frame.clusterMs},
                       {"rasterize", frame.rasterizeMs},
                       {"build_maps", frame.buildMapsMs},
                       {"render", frame.renderMs},
                       {"total", frame.totalMs}};
-  return {{"frame", frame.frame},
-          {"time_ms", times},
-          {"lights", lightsJson(frame.lights)},
-          {"memory", memoryJson(frame.memory)},
-          {"kernels", kernelsJson(frame.kernels)},
-          {"shaded_samples", frame.shadedSamples},
-          {"reports", frame.reports}};
+  Json json = {{"frame", frame.frame},
+               {"time_ms", times},
+               {"lights", lightsJson(frame.lights)},
+               {"memory", memoryJson(frame.memory)},
+               {"kernels", kernelsJson(frame.kernels)},
+               {"shaded_samples", frame.shadedSamples},
+               {"reports", frame.reports}};
+  if (frame.view) json["view"] = viewJson(*frame.view);
+  return json;
 }
 
 /// The double with the fewest digits that is still this float: 0.01f becomes 0.01 and not 0.00999999977648258.

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/shade_pass.hpp"
 
-#include <numeric>
-
 namespace cdsm::render {
 
 namespace {
-
-/// Part of the scene's size by which surfaces are moved towards the light unless the scene says otherwise: more than
-/// the rounding of depths, less than anybody sees.
-constexpr float kBiasPart = 2e-5f;
 
 shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& deviceScene,
                                 const shared::ViewData& view) {
@@ -17,13 +11,19 @@ shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& de
   params.view = view;
   params.ambient = {scene.image.ambient, 0.0f};
   params.interiorStep = deviceScene.allObjects().interiorStep;
-  params.bias = scene.shadows.bias > 0.0f ? scene.shadows.bias : kBiasPart * deviceScene.bounds().diagonal();
+  params.bias = surfaceBias(scene, deviceScene);
   params.lightCount = shared::uint(scene.lights.size());
   params.lookupTolerance = scene.shadows.tolerance;
   return params;
 }
 
 }  // namespace
+
+float surfaceBias(const Scene& scene, const build::DeviceScene& deviceScene) {
+  // of the scene's size: more than the rounding of depths, less than anybody sees
+  constexpr float kBiasPart = 2e-5f;
+  return scene.shadows.bias > 0.0f ? scene.shadows.bias : kBiasPart * deviceScene.bounds().diagonal();
+}
 
 ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
                           const device::Buffer<shared::LightData>& lights,
@@ -48,8 +48,7 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
               deviceScene.arguments(deviceScene.allObjects(), layers.initialObjects));
   ShadedView shaded;
   shaded.pixels = image_.download();
-  const auto samples = samples_.download();
-  shaded.shadedSamples = std::accumulate(samples.begin(), samples.end(), std::uint64_t(0));
+  shaded.samples = samples_.download();
   return shaded;
 }
 

@@ -12,8 +12,11 @@ namespace cdsm::render {
 
 struct ShadedView {
   std::vector<shared::float4> pixels;  ///< rgba, row after row; colour weighted by opacity
-  std::uint64_t shadedSamples = 0;
+  std::vector<std::uint32_t> samples;  ///< of media that were shaded, by pixel
 };
+
+/// World units by which surfaces are moved towards the light.
+float surfaceBias(const Scene& scene, const build::DeviceScene& deviceScene);
 
 class ShadePass {
  public:

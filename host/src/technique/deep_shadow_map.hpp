@@ -23,6 +23,7 @@ class DeepShadowMap : public ShadowTechnique {
   void describeLight(std::size_t light, shared::LightData& data) const override;
   shared::TechniqueParams params(const Scene& scene) const override;
   device::ArgumentList arguments() const override;
+  const std::vector<MapCluster>* clusters() const override { return &clusters_; }
   void addStats(const Scene& scene, FrameStats& stats) const override;
 
  private:

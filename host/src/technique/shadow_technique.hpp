@@ -27,6 +27,8 @@ struct Preparation {
   bool objectsChanged;  ///< since the last time, or there was none
 };
 
+struct MapCluster;
+
 class ShadowTechnique {
  public:
   virtual ~ShadowTechnique() = default;
@@ -42,6 +44,9 @@ class ShadowTechnique {
   virtual shared::TechniqueParams params(const Scene& scene) const = 0;
   /// Arguments of CDSM_TECHNIQUE_PARAMS behind TechniqueParams.
   virtual device::ArgumentList arguments() const = 0;
+
+  /// The clusters of all lights with their maps; null for techniques that have none.
+  virtual const std::vector<MapCluster>* clusters() const { return nullptr; }
 
   /// Adds its maps and memory.
   virtual void addStats(const Scene& scene, FrameStats& stats) const = 0;
