@@ -148,11 +148,21 @@ Rectangle smallestRectangle(const Outline& outline) {
   return best;
 }
 
+/// Tangent of the angle halfway between both ends of what reaches `half` to either side. The middle of a wide cone's
+/// tangents is so near to the wider end that the other one would be behind a camera turned to it.
+double middleTangent(double center, double half) {
+  return std::tan(0.5 * (std::atan(center - half) + std::atan(center + half)));
+}
+
 /// The frame turned so that its axis goes through the middle of the rectangle and its picture lies along the sides.
 LightFrame turned(const LightFrame& frame, const Rectangle& to) {
   LightFrame next = frame;
+  const glm::dvec2 other2(-to.side.y, to.side.x);
   const glm::dvec3 side = to.side.x * frame.right + to.side.y * frame.down;
-  if (!frame.parallel) next.axis = glm::normalize(frame.axis + to.center.x * frame.right + to.center.y * frame.down);
+  const glm::dvec3 other = other2.x * frame.right + other2.y * frame.down;
+  if (!frame.parallel)
+    next.axis = glm::normalize(frame.axis + middleTangent(glm::dot(to.center, to.side), to.half.x) * side +
+                               middleTangent(glm::dot(to.center, other2), to.half.y) * other);
   next.right = glm::normalize(side - glm::dot(side, next.axis) * next.axis);
   next.down = glm::cross(next.axis, next.right);
   return next;
