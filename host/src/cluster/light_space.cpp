@@ -15,8 +15,8 @@ constexpr double kFarthest = 3.0;
 /// Part of the way from the reference point to the near plane, nearer than which points count as this near.
 constexpr double kNearestPart = 0.1;
 
-/// The scene's box is larger by this part of its size, and of its place: corners of boxes have been rounded, and a scene
-/// may be flat.
+/// The scene's box is larger by this part of its size, and of its place: corners of boxes have been rounded, and a
+/// scene may be flat.
 constexpr float kRoomPart = 1e-4f, kRoundingPart = 1e-6f;
 
 scene::Bounds withRoom(scene::Bounds bounds) {
