@@ -37,7 +37,7 @@ const ::testing::Environment* const registered = ::testing::AddGlobalTestEnviron
 
 std::string Path::name() const {
   const std::string what = technique == "deep-shadow-map" ? "Map" + memory + filter : "Rays";
-  return what + fetch;
+  return what + fetch + (clusters > 1 ? "Clusters" + std::to_string(clusters) : "");
 }
 
 std::vector<Path> allPaths() {
@@ -51,8 +51,8 @@ std::vector<Path> allPaths() {
   return paths;
 }
 
-Path mapPath(const std::string& memory, const std::string& filter) {
-  return {"deep-shadow-map", memory, filter, "buffer"};
+Path mapPath(const std::string& memory, const std::string& filter, int clusters) {
+  return {"deep-shadow-map", memory, filter, "buffer", clusters};
 }
 
 Path rayPath() { return {"shadow-rays", "chunked", "bilinear", "buffer"}; }
@@ -65,6 +65,7 @@ Scene along(const Path& path, Scene scene, int mapSize, float tolerance) {
   scene.shadows.technique = path.technique;
   scene.shadows.memory = path.memory;
   scene.shadows.filter = path.filter;
+  scene.shadows.clusters = path.clusters;
   scene.shadows.mapSize = mapSize;
   scene.shadows.tolerance = tolerance;
   return scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways through the engine that have to agree: technique, memory, filter, fetch. Engines are made on first use,
-// shared by all tests of the program and freed before it ends.
+// The ways through the engine that have to agree: technique, memory, filter, fetch, clusters. Engines are made on first
+// use, shared by all tests of the program and freed before it ends.
 #pragma once
 
 #include <string>
@@ -15,13 +15,14 @@ struct Path {
   std::string memory;
   std::string filter;
   std::string fetch;
+  int clusters = 1;
   std::string name() const;  ///< letters and digits alone
 };
 
-/// Every combination that makes sense: shadow rays have neither memory nor filter.
+/// Every combination that makes sense, without clusters: shadow rays have neither memory nor filter.
 std::vector<Path> allPaths();
 /// deep-shadow-map, bilinear, buffer, with that memory.
-Path mapPath(const std::string& memory = "chunked", const std::string& filter = "bilinear");
+Path mapPath(const std::string& memory = "chunked", const std::string& filter = "bilinear", int clusters = 1);
 Path rayPath();
 
 /// The shared engine that fetches this way ("buffer" or "image").

@@ -106,7 +106,7 @@ std::vector<glm::dvec3> hullInPlane(const std::vector<glm::dvec3>& points, const
   ConvexBody::Polygon polygon;
   for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
     polygon.push_back(hull.outer()[i].x() * u + hull.outer()[i].y() * v + height * normal);
-  return polygon.size() >= 3 ? polygon : ConvexBody::Polygon{};
+  return polygon.size() >= 3 && glm::length(normalOf(polygon)) > 0.0 ? polygon : ConvexBody::Polygon{};
 }
 
 ConvexBody ConvexBody::hexahedron(const std::vector<glm::dvec3>& c) {

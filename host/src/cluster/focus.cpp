@@ -28,6 +28,8 @@ constexpr int kConeSides = 32;
 constexpr int kTurns = 3;  ///< of the camera towards the middle of what it sees
 /// No picture is narrower than this part of the other side.
 constexpr double kNarrowest = 1e-3;
+/// Of the grid's cells along an outline: products of two such numbers fit a double.
+constexpr int kGridBits = 24;
 /// The near plane lies this part of the distance in front of the nearest point.
 constexpr double kNearMargin = 1e-3;
 
@@ -47,15 +49,26 @@ glm::dvec2 inPicture(const LightFrame& frame, const glm::dvec3& world) {
   return frame.parallel ? glm::dvec2(p) : glm::dvec2(p) / p.z;
 }
 
-/// Convex hull, each corner once.
+/// Convex hull, each corner once. Corners are moved to a fine grid, on which it is exact what lies on which side of a
+/// line: with corners that differ by rounding alone, hulls of others come out wrong.
 Outline hullOf(const Outline& points) {
+  glm::dvec2 low(INFINITY), high(-INFINITY);
+  for (const glm::dvec2& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double size = std::max({high.x - low.x, high.y - low.y, 1e-300});
+  const double cell = std::exp2(std::ceil(std::log2(size)) - kGridBits);
   bg::model::multi_point<Point2> list;
-  for (const glm::dvec2& p : points) list.push_back({p.x, p.y});
+  for (const glm::dvec2& p : points) {
+    const glm::dvec2 onGrid = glm::round((p - low) / cell);
+    list.push_back({onGrid.x, onGrid.y});
+  }
   bg::model::polygon<Point2> hull;
   bg::convex_hull(list, hull);
   Outline outline;
   for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
-    outline.emplace_back(hull.outer()[i].x(), hull.outer()[i].y());
+    outline.push_back(low + cell * glm::dvec2(hull.outer()[i].x(), hull.outer()[i].y()));
   return outline;
 }
 
@@ -148,11 +161,21 @@ Rectangle smallestRectangle(const Outline& outline) {
   return best;
 }
 
+/// Tangent of the angle halfway between both ends of what reaches `half` to either side. The middle of a wide cone's
+/// tangents is so near to the wider end that the other one would be behind a camera turned to it.
+double middleTangent(double center, double half) {
+  return std::tan(0.5 * (std::atan(center - half) + std::atan(center + half)));
+}
+
 /// The frame turned so that its axis goes through the middle of the rectangle and its picture lies along the sides.
 LightFrame turned(const LightFrame& frame, const Rectangle& to) {
   LightFrame next = frame;
+  const glm::dvec2 other2(-to.side.y, to.side.x);
   const glm::dvec3 side = to.side.x * frame.right + to.side.y * frame.down;
-  if (!frame.parallel) next.axis = glm::normalize(frame.axis + to.center.x * frame.right + to.center.y * frame.down);
+  const glm::dvec3 other = other2.x * frame.right + other2.y * frame.down;
+  if (!frame.parallel)
+    next.axis = glm::normalize(frame.axis + middleTangent(glm::dot(to.center, to.side), to.half.x) * side +
+                               middleTangent(glm::dot(to.center, other2), to.half.y) * other);
   next.right = glm::normalize(side - glm::dot(side, next.axis) * next.axis);
   next.down = glm::cross(next.axis, next.right);
   return next;

@@ -10,13 +10,23 @@ namespace {
 
 /// Objects nearer to the light than this part of the scene's size do not take part in the perspective.
 constexpr double kNearPart = 1e-4;
-/// The scene's box is taken larger by this part of its size: flat objects on its border lie inside, whatever the
-/// rounding.
-constexpr float kMarginPart = 1e-5f;
 /// How far outside of the square [-1, 1]^2 a point may end up.
 constexpr double kFarthest = 3.0;
 /// Part of the way from the reference point to the near plane, nearer than which points count as this near.
 constexpr double kNearestPart = 0.1;
+
+/// The scene's box is larger by this part of its size, and of its place: corners of boxes have been rounded, and a
+/// scene may be flat.
+constexpr float kRoomPart = 1e-4f, kRoundingPart = 1e-6f;
+
+scene::Bounds withRoom(scene::Bounds bounds) {
+  if (bounds.low.x > bounds.high.x) return bounds;
+  const float farthest = std::max(glm::length(bounds.low), glm::length(bounds.high));
+  const glm::vec3 room(std::max({kRoomPart * bounds.diagonal(), kRoundingPart * farthest, 1e-20f}));
+  bounds.low -= room;
+  bounds.high += room;
+  return bounds;
+}
 
 double clampToSquare(double x) { return std::clamp(x, -kFarthest, kFarthest); }
 
@@ -50,8 +60,7 @@ std::vector<LightFrame> lightFrames(const Light& light) {
 
 VisibleSpace visibleSpace(const Camera& camera, double aspect, double nearDepth, const scene::Bounds& scene) {
   VisibleSpace visible;
-  const float margin = kMarginPart * std::max(scene.diagonal(), glm::length(scene.high));
-  visible.scene = {scene.low - margin, scene.high + margin};
+  visible.scene = withRoom(scene);
   visible.eye = camera.position;
   visible.forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
   visible.nearDepth = nearDepth;
@@ -59,7 +68,7 @@ VisibleSpace visibleSpace(const Camera& camera, double aspect, double nearDepth,
   const glm::dvec3 up = glm::cross(right, visible.forward);
   const double tanY = std::tan(glm::radians(double(camera.fov)) * 0.5), tanX = tanY * aspect;
   double farDepth = 2.0 * nearDepth;
-  for (const glm::dvec3& corner : ConvexBody::box(scene).vertices())
+  for (const glm::dvec3& corner : ConvexBody::box(visible.scene).vertices())
     farDepth = std::max(farDepth, 1.001 * glm::dot(corner - visible.eye, visible.forward));
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < 8; ++i) {

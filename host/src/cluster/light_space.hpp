@@ -30,7 +30,7 @@ void completeFrame(LightFrame& frame);
 /// What the camera sees of the scene's box, and how near it comes: the visible part V and S [Knecht 2011, §2.4.2].
 struct VisibleSpace {
   ConvexBody frustum;   ///< V, from the near plane to behind the scene
-  scene::Bounds scene;  ///< S
+  scene::Bounds scene;  ///< S, and a little room around it
   glm::dvec3 eye{0.0}, forward{0, 0, -1};
   double nearDepth = 0.0;
 };
