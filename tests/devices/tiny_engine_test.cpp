@@ -33,6 +33,11 @@ TEST_P(TinyEngine, roomThatGrows) {
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "atlas", "nearest"));
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "chunked", "nearest"));
 }
+TEST_P(TinyEngine, debugPictures) {
+  const Scene scene = along(everythingScene(), "deep-shadow-map", "chunked", "bilinear");
+  for (const DebugView view : {DebugView::Clusters, DebugView::Nodes, DebugView::Steps, DebugView::Texels})
+    EXPECT_FALSE(engine_.render(scene, {view, {}}).pixels.empty());
+}
 
 INSTANTIATE_TEST_SUITE_P(Fetch, TinyEngine, ::testing::Values("buffer", "image"),
                          [](const auto& instance) { return std::string(instance.param); });

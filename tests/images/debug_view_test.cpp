@@ -8,6 +8,7 @@
 
 #include "engine/debug_colors.hpp"
 #include "property/engine_paths.hpp"
+#include "property/light_frame.hpp"
 #include "reference/reference.hpp"
 #include "reference/test_scenes.hpp"
 
@@ -181,6 +182,19 @@ TEST(DebugView, nodesAreThoseOfTheTexelOfWhatIsSeen) {
     }
 }
 
+TEST(DebugView, nodesOfSeveralMapsAreAdded) {
+  Scene scene = property::along(property::mapPath(), sheetScene(LightType::Spot), 64, 0.01f);
+  scene.meshes.front().shadow.casts = false;
+  addMesh(scene, reference::quadMesh({0.7f, 1.0f, 0}, {kSheetHalf, 0, 0}, {0, 0, kSheetHalf}),
+          scene.meshes[1].material);
+  scene.shadows.clusters = 2;
+  scene.shadows.clusterDistance = 0.001f;
+  Engine& engine = property::engineOf("buffer");
+  engine.render(scene, {DebugView::Nodes, {}});
+  ASSERT_EQ(engine.stats().lights.front().maps.size(), 2u);
+  EXPECT_EQ(engine.stats().view->scale, 2u) << "where both sheets are in the light's way";
+}
+
 /// Two balls far apart over a floor that casts no shadow.
 Scene ballsScene() {
   Scene scene = smallScene();
@@ -250,32 +264,49 @@ TEST(DebugView, clustersAreColouredAndMapsAreKept) {
   }
 }
 
-/// Where the floor under a light from above changes between dark and bright texels, along all rows of the picture.
-int changesOfTexels(const property::Path& path, int mapSize) {
-  Scene scene = property::along(path, sheetScene(LightType::Spot), mapSize, 0.01f);
-  scene.meshes.pop_back();
-  scene.image.ambient = glm::vec3(0.3f);
-  const Image plain = engineOf(path).render(scene), texels = engineOf(path).render(scene, {DebugView::Texels, {}});
-  int changes = 0, dark = 0;
-  bool before = false;
-  for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
-    const glm::vec3 a(plain.pixels[i]), b(texels.pixels[i]);
-    const reference::Ray ray = reference::cameraRay(scene, double(i % 45) + 0.5, double(i / 45) + 0.5);
-    const std::int64_t nodes = nodesByHand(scene, ray);
-    if (nodes == 0 || nodes == engine::kNothing) EXPECT_EQ(a, b) << "nothing is looked up at pixel " << i;
-    const bool now = b.x + b.y + b.z < 0.72f * (a.x + a.y + a.z);
-    changes += i % 45 > 0 && now != before;
-    dark += now;
-    before = now;
-  }
-  EXPECT_GT(dark, 30);
-  return changes;
+/// 1 where a world point on the floor is in an even texel of the light's only map, 0 in an odd one, -1 near a border.
+int evenTexel(const property::LightFrame& map, int mapSize, const glm::dvec3& point) {
+  constexpr double kMargin = 0.3;
+  const glm::dvec3 at = map.coordinates(point) / map.texel();
+  const glm::dvec2 texel = glm::dvec2(at.x, -at.y) + 0.5 * mapSize, inside = glm::fract(texel);
+  if (glm::any(glm::lessThan(inside, glm::dvec2(kMargin))) ||
+      glm::any(glm::greaterThan(inside, glm::dvec2(1.0 - kMargin))))
+    return -1;
+  return (int(std::floor(texel.x)) + int(std::floor(texel.y)) + 2 * mapSize) % 2 == 0;
 }
 
-TEST(DebugView, texelsAreAsManyAsTheMapHas) {
-  for (const property::Path& path : {property::mapPath("chunked", "nearest"), property::mapPath("atlas")}) {
-    const int coarse = changesOfTexels(path, 8), fine = changesOfTexels(path, 16);
-    EXPECT_NEAR(double(fine) / double(coarse), 2.0, 0.5) << path.name() << ": " << coarse << ", " << fine;
+float sum(const glm::vec4& color) { return color.x + color.y + color.z; }
+
+void expectTexels(const property::Path& path, int mapSize) {
+  Scene scene = property::along(path, sheetScene(LightType::Spot), mapSize, 0.01f);
+  scene.meshes.pop_back();
+  scene.image.width = 90;
+  scene.image.height = 66;
+  const property::LightFrame map(scene, scene.lights.front(), mapSize);
+  const Image plain = engineOf(path).render(scene), texels = engineOf(path).render(scene, {DebugView::Texels, {}});
+  int counts[2] = {0, 0}, wrong = 0;
+  for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+    const reference::Ray ray = reference::cameraRay(scene, double(i % 90) + 0.5, double(i / 90) + 0.5);
+    const glm::dvec3 point = ray.at((double(kFloorY) - ray.origin.y) / ray.direction.y);
+    const double beyondCone = std::hypot(point.x, point.z) - std::tan(glm::radians(20.0)) * (4.0 - double(kFloorY));
+    if (ray.direction.y >= 0.0 || beyondCone > 0.01) {
+      EXPECT_EQ(plain.pixels[i], texels.pixels[i]) << "nothing is looked up at pixel " << i;
+      continue;
+    }
+    const int even = evenTexel(map, mapSize, point);
+    if (even < 0 || beyondCone > -0.05) continue;
+    ++counts[even];
+    wrong += std::abs(sum(texels.pixels[i]) / sum(plain.pixels[i]) - (even ? 1.0f : 0.45f)) > 0.02f;
+  }
+  EXPECT_EQ(wrong, 0) << "of " << counts[0] << " in odd texels and " << counts[1] << " in even ones";
+  EXPECT_GE(std::min(counts[0], counts[1]), 40);
+}
+
+TEST(DebugView, texelsAreThoseOfTheMap) {
+  for (const int mapSize : {8, 11}) {
+    SCOPED_TRACE("map size " + std::to_string(mapSize));
+    expectTexels(property::mapPath("chunked", "nearest"), mapSize);
+    expectTexels(property::mapPath("atlas"), mapSize);
   }
 }
 
