@@ -19,12 +19,20 @@ constexpr float kTolerance = 0.002f;
 /// Single precision along some hundred steps and crossings.
 constexpr double kRounding = 3e-4;
 
+/// With and without clusters.
+std::vector<Path> clusteredPaths() {
+  std::vector<Path> paths = allPaths();
+  paths.push_back(mapPath("chunked", "bilinear", 4));
+  paths.push_back(mapPath("atlas", "nearest", 4));
+  return paths;
+}
+
 std::size_t caseCount() { return analyticCases().size(); }
 
 class ClosedForms : public ::testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {
  protected:
   AnalyticCase analytic_ = analyticCases()[std::get<0>(GetParam())];
-  Path path_ = allPaths()[std::get<1>(GetParam())];
+  Path path_ = clusteredPaths()[std::get<1>(GetParam())];
   Scene scene_ = along(path_, analytic_.scene, kMapSize, kTolerance);
 
   void SetUp() override {
@@ -59,10 +67,10 @@ TEST_P(ClosedForms, nothingOutsideOfTheCone) {
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedForms,
                          ::testing::Combine(::testing::Range<std::size_t>(0, caseCount()),
-                                            ::testing::Range<std::size_t>(0, allPaths().size())),
+                                            ::testing::Range<std::size_t>(0, clusteredPaths().size())),
                          [](const auto& instance) {
                            return analyticCases()[std::get<0>(instance.param)].name +
-                                  allPaths()[std::get<1>(instance.param)].name();
+                                  clusteredPaths()[std::get<1>(instance.param)].name();
                          });
 
 TEST(Queries, noPointsGiveNoAnswers) {

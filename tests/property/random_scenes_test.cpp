@@ -76,6 +76,8 @@ void expectExact(const Path& path, const Scene& scene, const Light& light, const
 }
 
 const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest")};
+const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 2), mapPath("atlas", "nearest", 4),
+                                      mapPath("chunked", "bilinear", 8)};
 
 class RandomScenes : public ::testing::TestWithParam<std::uint32_t> {};
 
@@ -107,6 +109,19 @@ TEST_P(RandomScenes, agreeWithBruteForceWhateverCasts) {
   scene.shadows.step = 0.02f;  // where less is in the way, what a step misses weighs more
   if (GetParam() % 3 == 0) scene.lights = reference::otherLights(GetParam());
   expectBruteForce(scene, GetParam(), kPaths);
+}
+
+/// Lights of all types, their casters in clusters.
+TEST_P(RandomScenes, agreeWithBruteForceInClusters) {
+  if (GetParam() > 1) GTEST_SKIP() << "many maps take their time";
+  Scene scene = reference::randomScene(GetParam());
+  scene.shadows.clusterDistance = 0.1f;
+  scene.lights.resize(1);
+  for (Light light : reference::otherLights(GetParam())) {
+    light.name = light.type == LightType::Omni ? "lamp" : "sun";
+    scene.lights.push_back(light);
+  }
+  expectBruteForce(scene, GetParam(), kClusterPaths);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, ::testing::Range<std::uint32_t>(1, 7));

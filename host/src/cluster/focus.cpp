@@ -37,6 +37,7 @@ constexpr double kNearMargin = 1e-3;
 struct Seen {
   std::vector<glm::dvec3> points;
   const Caster* shape;
+  std::vector<glm::dvec3> cut;  ///< of the mesh that cuts a volume: rays must meet all of it that is on their way
 };
 
 glm::dvec3 inFrame(const LightFrame& frame, const glm::dvec3& world) {
@@ -181,15 +182,17 @@ LightFrame turned(const LightFrame& frame, const Rectangle& to) {
   return next;
 }
 
-/// Depths of the nearest and farthest of the points.
+/// Depths of the nearest point, of cutting meshes too, and of the farthest one.
 std::pair<double, double> depthRange(const LightFrame& frame, const std::vector<Seen>& objects) {
   double low = INFINITY, high = -INFINITY;
-  for (const Seen& object : objects)
+  for (const Seen& object : objects) {
     for (const glm::dvec3& p : object.points) {
       const double depth = inFrame(frame, p).z;
       low = std::min(low, depth);
       high = std::max(high, depth);
     }
+    for (const glm::dvec3& p : object.cut) low = std::min(low, inFrame(frame, p).z);
+  }
   return {low, high};
 }
 
@@ -288,7 +291,11 @@ scene::Bounds boundsOf(const std::vector<Caster>& shapes, const std::vector<unsi
 std::vector<MapView> focusedViews(const Scene& scene, const Light& light, const std::vector<Caster>& shapes,
                                   const std::vector<unsigned>& objects, int mapSize) {
   std::vector<Seen> seen;
-  for (const unsigned object : objects) seen.push_back({hullPoints(scene, object), &shapes[object]});
+  for (const unsigned object : objects) {
+    seen.push_back({hullPoints(scene, object), &shapes[object], {}});
+    const int cutter = object < scene.meshes.size() ? -1 : scene.volumes[object - scene.meshes.size()].boundary;
+    if (cutter >= 0) seen.back().cut = hullPoints(scene, unsigned(cutter));
+  }
   const double nearDepth = lightNearDepth(light, boundsOf(shapes, objects));
   if (light.type == LightType::Omni) return omniViews(light, seen, nearDepth, mapSize);
   const LightFrame frame = lightFrames(light).front();
