@@ -27,6 +27,7 @@ std::vector<Table> benchChunks(const BenchOptions& options) {
   Row ratio = plainRow("wasted / used"), kept = plainRow("bytes of finished maps");
   Row lost = plainRow("chunks never written to, in all");
   forEachPaperScene(options, [&](Subject& subject) {
+    subject.shrinkImage();
     subject.frameMs();
     const MemoryStats& memory = subject.stats().memory;
     double texels = 0.0, nodes = 0.0;

@@ -100,8 +100,6 @@ Scene manyObjects(const BenchOptions& options, int objects) {
     scene.meshes.back().name += " and " + std::to_string(i);
     scene.volumes.back().name += " and " + std::to_string(i);
   }
-  scene.image.width = 3;
-  scene.image.height = 2;
   return scene;
 }
 
@@ -114,6 +112,7 @@ Table cpuTable(const BenchOptions& options) {
     subjects.emplace_back(options, manyObjects(options, objects));
   }
   for (Subject& subject : subjects) {
+    subject.shrinkImage();
     measurements.push_back([&subject] {
       subject.render();
       return std::vector<double>{subject.clusterMs()};
@@ -126,15 +125,13 @@ Table cpuTable(const BenchOptions& options) {
   return table;
 }
 
-/// Maps depend on no pixel, so that the smallest image of this aspect ratio will do.
 Table pathTable(const BenchOptions& options) {
   Row maps = plainRow("maps"), frames = plainRow("frames that built maps"), built = plainRow("maps built");
   for (const auto& [clusters, stable] : {std::pair(1, false), {4, false}, {4, true}}) {
     Scene scene = withMaps(options, park(options, "a"), 512, clusters, "chunked");
     scene.shadows.stable = stable;
-    scene.image.width = 3;
-    scene.image.height = 2;
     Subject subject(options, scene);
+    subject.shrinkImage();
     double frameCount = 0.0, mapsBuilt = 0.0;
     for (int frame = 0; frame < kPathFrames; ++frame) {
       if (options.progress) options.progress("camera path", float(frame) / kPathFrames);

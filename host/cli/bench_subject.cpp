@@ -33,6 +33,12 @@ std::string remedyFor(const BenchOptions& options, const std::string& file) {
   return "--scenes must name the folder with demo/, bench/ and papers/";
 }
 
+Scene shrunk(Scene scene) {
+  scene.image.width = 3;
+  scene.image.height = 2;
+  return scene;
+}
+
 Light nudged(Light light, float by) {
   light.cutoff *= 1.0f + by;
   if (light.type == LightType::Omni) light.position.x += by * std::max(1.0f, glm::length(light.position));
@@ -104,9 +110,7 @@ double Subject::frameMs(const Camera& camera) {
 }
 
 double Subject::buildMs() {
-  Scene tiny = scene_;
-  tiny.image.width = 3;  // the same aspect ratio: what the camera sees decides about clusters
-  tiny.image.height = 2;
+  Scene tiny = shrunk(scene_);
   engine_.render(tiny);
   const double kept = renderMs(tiny);
   nudged_ = !nudged_;
@@ -116,6 +120,8 @@ double Subject::buildMs() {
   scene_.lights = tiny.lights;
   return std::max(built - kept, 0.0);
 }
+
+void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }
 
 std::size_t mapCount(const FrameStats& stats) {
   std::size_t count = 0;

@@ -53,6 +53,9 @@ class Subject {
   /// CPU time of clustering in the last call.
   double clusterMs() const { return engine_.stats().clusterMs; }
 
+  /// From now on 3 x 2 pixels: the same maps as of the whole image, since clusters depend on its aspect ratio alone.
+  void shrinkImage();
+
   Image render() { return engine_.render(scene_); }
   Scene& scene() { return scene_; }
   const FrameStats& stats() const { return engine_.stats(); }
