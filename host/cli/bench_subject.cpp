@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kPartsOfSide = 240;  // 720 x 480 pixels are 3 x 2 of these
 constexpr int kSmallestMap = 8;    // texels per side that a scene may ask for
+constexpr double kLeastMs = 1e-3;  // where noise is more than what is measured; ratios and logarithms need some
 constexpr float kNudge = 1e-5f;    // relative: enough to build maps again, too little to be seen
 
 int scaled(double scale, int side) { return std::max(1, int(std::lround(scale * side))); }
@@ -118,7 +119,7 @@ double Subject::buildMs() {
   const double built = renderMs(tiny);
   if (builtMaps(stats()) < mapCount(stats())) throw Error("maps were kept that must be built to be timed");
   scene_.lights = tiny.lights;
-  return std::max(built - kept, 0.0);
+  return std::max(built - kept, kLeastMs);
 }
 
 void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }
