@@ -1,123 +1,102 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench_demo.hpp"
-
+// Suite "demo": frames with and without shadows, building a map, shadow rays, each against the others.
 #include <algorithm>
-#include <chrono>
-#include <functional>
-#include <iomanip>
 
-#include <cdsm/cdsm.hpp>
-
+#include "bench_suites.hpp"
 #include "engine/trilinear_rate.hpp"
-#include "io/scene_file.hpp"
 
 namespace cdsm::cli {
-
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr int kMapSize = 512;
 
-/// Median wall clock of `runs` calls in milliseconds, after one that is not counted.
-double medianMs(int runs, const std::function<void(int)>& call) {
-  std::vector<double> times;
-  for (int i = 0; i <= runs; ++i) {
-    const auto begun = std::chrono::steady_clock::now();
-    call(i);
-    if (i > 0)
-      times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
-  }
-  std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
-  return times[times.size() / 2];
-}
+struct BenchScene {
+  const char* name;
+  const char* file;
+  double wantedRaysRatio;
+};
 
-/// One light, 720 x 480, one ray per pixel, a 512^2 map at tolerance 0.01 with filtered lookups.
-Scene benchScene(const std::string& path) {
-  Scene scene = io::readScene(path);
+constexpr BenchScene kScenes[] = {
+    {"demo", "demo/demo.toml", 10.0}, {"smoke", "bench/smoke.toml", 10.0}, {"sparse", "bench/sparse.toml", 4.0}};
+
+/// Times of one scene in milliseconds.
+struct Times {
+  double none, frame, build, rays;
+};
+
+/// One light and the settings that scenes have by default.
+Scene sceneOf(const BenchOptions& options, const char* file) {
+  Scene scene = readBenchScene(options, file);
   scene.lights.resize(1);
-  scene.image.width = 720;
-  scene.image.height = 480;
-  scene.image.supersampling = 1;
   scene.shadows = ShadowSettings{};
+  scene.shadows.mapSize = scaledMapSize(options, kMapSize);
   return scene;
 }
 
-/// The same scene, but its map has to be built again.
-Scene nudged(const Scene& scene, int run) {
-  Scene other = scene;
-  other.lights[0].cutoff *= 1.0f + 1e-5f * float(run + 1);
-  return other;
-}
-
 /// One frame with shadow rays, which takes too long for medians; kernels are compiled with a tiny image before.
-double shadowRaysMs(Engine& engine, Scene scene) {
+double shadowRaysMs(const BenchOptions& options, Scene scene) {
   scene.shadows.technique = "shadow-rays";
-  Scene tiny = scene;
-  tiny.image.width = tiny.image.height = 8;
-  engine.render(tiny);
-  engine.render(scene);
-  return engine.stats().totalMs;
+  Subject subject(options, scene);
+  subject.scene().image.width = subject.scene().image.height = 8;
+  subject.frameMs();
+  subject.scene().image = scene.image;
+  return subject.frameMs();
 }
 
-/// Times of one scene in milliseconds.
-Json measureScene(Engine& engine, const Scene& scene, int runs, double rate) {
+Times measure(const BenchOptions& options, Subject& maps, const Scene& scene) {
   Scene plain = scene;
   plain.shadows.technique = "none";
-  Json row;
-  const double none = medianMs(runs, [&](int) { engine.render(plain); });
-  const double frame = medianMs(runs, [&](int) { engine.render(scene); });
-  const FrameStats stats = engine.stats();
-  const double build =
-      medianMs(runs, [&](int run) { engine.transmittance(nudged(scene, run), scene.lights[0].name, {}); });
-  const double marched = shadowRaysMs(engine, scene);
-  row["ms"] = {{"none", none}, {"frame", frame}, {"build", build}, {"shadow_rays", marched}};
-  row["shaded_samples"] = stats.shadedSamples;
-  row["frame_over_none"] = frame / none;
-  row["trilinear_per_shaded_sample"] = frame * rate * 1000.0 / double(std::max<std::uint64_t>(stats.shadedSamples, 1));
-  row["build_over_none"] = build / none;
-  row["shadow_rays_over_frame_and_build"] = marched / (frame + build);
-  row["bytes_per_node"] = stats.memory.bytesPerNode;
-  row["bytes_reserved"] = stats.memory.bytesReserved;
-  row["nodes_mean"] = stats.lights[0].maps[0].nodesMean;
-  row["nodes_max"] = stats.lights[0].maps[0].nodesMax;
-  return row;
+  Subject unshadowed(options, plain);
+  const auto medians = mediansInTurn(options, {[&] {
+                                       const double build = maps.buildMs();
+                                       return std::vector<double>{build, maps.frameMs(), unshadowed.frameMs()};
+                                     }});
+  return {medians[2][0], medians[1][0], medians[0][0], shadowRaysMs(options, scene)};
 }
 
-void printRow(std::ostream& out, const std::string& what, const Json& results, const char* key) {
-  out << std::left << std::setw(52) << what << std::right << std::fixed << std::setprecision(3);
-  for (const auto& scene : results["scenes"]) out << std::setw(12) << scene[key].get<double>();
-  out << '\n';
-}
-
-void printTable(std::ostream& out, const Json& results) {
-  out << "device: " << results["device"].get<std::string>() << "\ntrilinear samples: " << std::fixed
-      << std::setprecision(0) << results["million_trilinear_per_second"].get<double>() << " million / s\n\n"
-      << std::setw(52) << "";
-  for (const auto& scene : results["scenes"].items()) out << std::setw(12) << scene.key();
-  out << '\n';
-  printRow(out, "frame with shadows / frame without", results, "frame_over_none");
-  printRow(out, "trilinear samples per shaded sample", results, "trilinear_per_shaded_sample");
-  printRow(out, "building a 512^2 map / frame without shadows", results, "build_over_none");
-  printRow(out, "frame with shadow rays / (frame + map)", results, "shadow_rays_over_frame_and_build");
-  printRow(out, "bytes per node", results, "bytes_per_node");
-  printRow(out, "nodes per texel, mean", results, "nodes_mean");
+void addColumn(Table& table, const Times& ms, const FrameStats& stats, double rate) {
+  const double samples = double(std::max<std::uint64_t>(stats.shadedSamples, 1));
+  const double figures[] = {ms.frame / ms.none,
+                            ms.frame * rate * 1000.0 / samples,
+                            ms.build / ms.none,
+                            ms.rays / (ms.frame + ms.build),
+                            stats.memory.bytesPerNode,
+                            nodesMean(stats),
+                            double(stats.memory.bytesReserved) / 1e6,
+                            ms.none,
+                            ms.frame,
+                            ms.build,
+                            ms.rays};
+  for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].ours.push_back(figures[i]);
 }
 
 }  // namespace
 
-Json benchDemo(const DemoBenchOptions& options, std::ostream& out) {
-  EngineOptions engineOptions;
-  engineOptions.device = options.device;
-  Engine engine(engineOptions);
-  Json results;
-  results["device"] = engine.device().name;
-  const double rate = engine::trilinearRate(options.device, options.runs);
-  results["million_trilinear_per_second"] = rate;
-  const std::pair<const char*, const char*> scenes[] = {
-      {"demo", "/demo/demo.toml"}, {"smoke", "/bench/smoke.toml"}, {"sparse", "/bench/sparse.toml"}};
-  for (const auto& [name, file] : scenes)
-    results["scenes"][name] = measureScene(engine, benchScene(options.scenes + file), options.runs, rate);
-  printTable(out, results);
-  return results;
+std::vector<Table> benchDemo(const BenchOptions& options) {
+  const double rate = engine::trilinearRate(options.device, options.runs | 1);
+  std::vector<double> raysRatios;
+  for (const BenchScene& scene : kScenes) raysRatios.push_back(scene.wantedRaysRatio);
+  Table table{
+      "demo",
+      "One light, a map of " + mapSizeText(options, kMapSize, 1) + "; " + numberText(rate) +
+          " million trilinear samples / s",
+      "scene",
+      {},
+      {plainRow("frame with shadows / frame without", "", {1.25, 1.25, 1.25}),
+       plainRow("trilinear samples per shaded sample", "", {20, 20, 20}),
+       plainRow("building the map / frame without shadows", "", {0.4, 0.4, 0.4}),
+       plainRow("frame with shadow rays / (frame + map), at least", "", std::move(raysRatios)),
+       plainRow("bytes per node", "", {8, 8, 8}), plainRow("nodes per texel, mean"), plainRow("memory reserved", "MB"),
+       plainRow("frame without shadows", "ms"), plainRow("frame with shadows", "ms"),
+       plainRow("building the map", "ms"), plainRow("frame with shadow rays", "ms")}};
+  for (const BenchScene& entry : kScenes) {
+    const Scene scene = sceneOf(options, entry.file);
+    Subject maps(options, scene);
+    const Times ms = measure(options, maps, scene);
+    table.columns.push_back(entry.name);
+    addColumn(table, ms, maps.stats(), rate);
+  }
+  return {table};
 }
 
 }  // namespace cdsm::cli

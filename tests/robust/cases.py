@@ -57,6 +57,7 @@ class Case:
     def prepare(self, folder):
         for name, content in {**GOOD_FILES, **self.files}.items():
             if content is not None:
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).write_bytes(content)
 
 
@@ -291,6 +292,15 @@ USAGE = [
     usage("statistics over the image", "'./out.png' is named twice", replaced(RENDER, "stats.json", "./out.png")),
     usage("statistics over the scene", "'scene.toml' is named twice", replaced(RENDER, "stats.json", "scene.toml")),
     usage("answers over the points", "'points.csv' is named twice", replaced(QUERY, "out.csv", "points.csv")),
+    usage("no suite", "SUITE is required", ["bench"]),
+    usage("unknown suite", "unknown suite 'map', must be one of: demo, map-size,", ["bench", "map"]),
+    usage("a suite without runs", "--runs: Value 0 not in range", ["bench", "demo", "--runs", "0"]),
+    usage("half a run", "--runs", ["bench", "demo", "--runs", "0.5"]),
+    usage("a suite without size", "--scale: Value 0 not in range", ["bench", "demo", "--scale", "0"]),
+    Case("a suite without scenes", "there is no such file; --scenes must name", ["bench", "chunks", "--scenes", "none"]),
+    Case("a suite without its data", "'python3 ./papers/make_data.py' makes it", ["bench", "map-size", "--scenes", "."],
+         {"papers/clustering/camera_b.toml": GOOD_SCENE.replace(b"closed.obj", b"../generated/cup.ply")}),
+    Case("figures in no folder", "none/out.json", ["bench", "demo", "--json", "none/out.json"]),
     usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
     usage(
         "unsupported command with options",

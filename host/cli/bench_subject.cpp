@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_subject.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include <cdsm/error.hpp>
+
+#include "io/scene_file.hpp"
+
+namespace cdsm::cli {
+namespace {
+
+constexpr int kPartsOfSide = 240;  // 720 x 480 pixels are 3 x 2 of these
+constexpr int kSmallestMap = 8;    // texels per side that a scene may ask for
+constexpr double kLeastMs = 1e-3;  // where noise is more than what is measured; ratios and logarithms need some
+constexpr float kNudge = 1e-5f;    // relative: enough to build maps again, too little to be seen
+
+int scaled(double scale, int side) { return std::max(1, int(std::lround(scale * side))); }
+
+EngineOptions engineOptions(const BenchOptions& options) {
+  EngineOptions engine;
+  engine.device = options.device;
+  return engine;
+}
+
+/// Which script makes a missing file, or how to find it.
+std::string remedyFor(const BenchOptions& options, const std::string& file) {
+  const auto script = [&options](const char* path) { return "'python3 " + options.scenes + path + "' makes it"; };
+  if (file.find("/generated/") != std::string::npos) return script("/papers/make_data.py");
+  if (file.find("/bench/smoke.nrrd") != std::string::npos) return script("/bench/make_smoke.py");
+  return "--scenes must name the folder with demo/, bench/ and papers/";
+}
+
+Scene shrunk(Scene scene) {
+  scene.image.width = 3;
+  scene.image.height = 2;
+  return scene;
+}
+
+Light nudged(Light light, float by) {
+  light.cutoff *= 1.0f + by;
+  if (light.type == LightType::Omni) light.position.x += by * std::max(1.0f, glm::length(light.position));
+  if (light.type == LightType::Directional) light.direction.x += by * glm::length(light.direction);
+  return light;
+}
+
+}  // namespace
+
+Scene readBenchScene(const BenchOptions& options, const std::string& file) {
+  Scene scene;
+  try {
+    scene = io::readScene(options.scenes + "/" + file);
+  } catch (const Error& error) {
+    const std::string missing = error.where() ? error.where()->file : "";
+    if (missing.empty() || std::filesystem::exists(missing)) throw;
+    throw Error(Location{missing}, "there is no such file; " + remedyFor(options, missing));
+  }
+  scene.image.width = 3 * scaled(options.scale, kPartsOfSide);
+  scene.image.height = 2 * scaled(options.scale, kPartsOfSide);
+  scene.image.supersampling = 1;
+  scene.shadows.technique = "deep-shadow-map";
+  scene.shadows.memory = "chunked";
+  scene.shadows.filter = "bilinear";
+  scene.shadows.tolerance = 0.01f;
+  return scene;
+}
+
+int scaledMapSize(const BenchOptions& options, int mapSize) {
+  return std::max(kSmallestMap, scaled(options.scale, mapSize));
+}
+
+Scene withMaps(const BenchOptions& options, Scene scene, int mapSize, int clusters, const std::string& memory) {
+  scene.shadows.mapSize = scaledMapSize(options, mapSize);
+  scene.shadows.clusters = clusters;
+  scene.shadows.memory = memory;
+  return scene;
+}
+
+std::string mapSizeText(const BenchOptions& options, int mapSize, int clusters) {
+  const std::string text = std::to_string(scaledMapSize(options, mapSize)) + "^2";
+  return clusters > 1 ? std::to_string(clusters) + " x " + text : text;
+}
+
+Subject::Subject(const BenchOptions& options, Scene scene)
+    : engine_(engineOptions(options)), scene_(std::move(scene)) {}
+
+double Subject::renderMs(const Scene& scene) {
+  const auto begun = std::chrono::steady_clock::now();
+  engine_.render(scene);
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
+
+double Subject::frameMs() {
+  const bool first = engine_.stats().lights.empty();
+  const double milliseconds = renderMs(scene_);
+  if (!first && builtMaps(stats()) > 0) throw Error("maps were built in a frame that must be timed without");
+  return milliseconds;
+}
+
+double Subject::frameMs(const std::string& filter) {
+  scene_.shadows.filter = filter;
+  return frameMs();
+}
+
+double Subject::frameMs(const Camera& camera) {
+  scene_.camera = camera;
+  return renderMs(scene_);
+}
+
+double Subject::buildMs() {
+  Scene tiny = shrunk(scene_);
+  engine_.render(tiny);
+  const double kept = renderMs(tiny);
+  nudged_ = !nudged_;
+  for (Light& light : tiny.lights) light = nudged(light, nudged_ ? kNudge : -kNudge);
+  const double built = renderMs(tiny);
+  if (builtMaps(stats()) < mapCount(stats())) throw Error("maps were kept that must be built to be timed");
+  scene_.lights = tiny.lights;
+  return std::max(built - kept, kLeastMs);
+}
+
+void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }
+
+std::size_t mapCount(const FrameStats& stats) {
+  std::size_t count = 0;
+  for (const LightStats& light : stats.lights) count += light.maps.size();
+  return count;
+}
+
+std::size_t builtMaps(const FrameStats& stats) {
+  std::size_t count = 0;
+  for (const LightStats& light : stats.lights)
+    for (const MapStats& map : light.maps) count += map.regenerated;
+  return count;
+}
+
+double nodesMean(const FrameStats& stats) {
+  double nodes = 0.0, texels = 0.0;
+  for (const LightStats& light : stats.lights) {
+    for (const MapStats& map : light.maps) {
+      nodes += double(map.nodesTotal);
+      texels += double(map.texels);
+    }
+  }
+  return texels > 0.0 ? nodes / texels : 0.0;
+}
+
+double nodesMax(const FrameStats& stats) {
+  std::uint64_t most = 0;
+  for (const LightStats& light : stats.lights)
+    for (const MapStats& map : light.maps) most = std::max(most, map.nodesMax);
+  return double(most);
+}
+
+std::vector<Row> mapRows(const Subjects& subjects, const std::vector<double>& mean, const std::vector<double>& most) {
+  std::vector<Row> rows;
+  const auto add = [&](Row row, const auto& figure) {
+    for (const auto& subject : subjects) row.ours.push_back(double(figure(subject->stats())));
+    rows.push_back(std::move(row));
+  };
+  add(plainRow("nodes per texel, mean"), nodesMean);
+  rows.back().thesis = mean;
+  add(plainRow("nodes per texel, most"), nodesMax);
+  rows.back().thesis = most;
+  add(plainRow("maps"), mapCount);
+  add(plainRow("memory reserved", "MB"), [](const FrameStats& stats) { return stats.memory.bytesReserved / 1e6; });
+  add(plainRow("memory wasted", "MB"), [](const FrameStats& stats) { return stats.memory.bytesWasted / 1e6; });
+  if (subjects.front()->stats().memory.strategy != "chunked") return rows;
+  add(plainRow("chunks used while building"), [](const FrameStats& stats) { return stats.memory.chunksUsed; });
+  add(plainRow("chunks wasted while building"), [](const FrameStats& stats) { return stats.memory.chunksWasted; });
+  return rows;
+}
+
+std::vector<std::vector<double>> mediansInTurn(const BenchOptions& options,
+                                               const std::vector<Measurement>& measurements) {
+  std::vector<std::vector<std::vector<double>>> figures(measurements.size());  // by measurement, figure, run
+  for (int run = 0; run <= options.runs; ++run) {
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+      if (options.progress) {
+        const double step = double(run) * double(measurements.size()) + double(i);
+        options.progress("measure", float(step / (double(options.runs + 1) * double(measurements.size()))));
+      }
+      const std::vector<double> values = measurements[i]();
+      figures[i].resize(values.size());
+      for (std::size_t k = 0; run > 0 && k < values.size(); ++k) figures[i][k].push_back(values[k]);
+    }
+  }
+  std::vector<std::vector<double>> medians;
+  for (std::size_t k = 0; !figures.empty() && k < figures[0].size(); ++k) {
+    medians.emplace_back();
+    for (const auto& measured : figures) medians.back().push_back(median(measured[k]));
+  }
+  return medians;
+}
+
+}  // namespace cdsm::cli

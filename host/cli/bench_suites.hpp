@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The suites of `cdsm bench`. Each measures in one process and returns its tables.
+#pragma once
+
+#include <vector>
+
+#include "bench_subject.hpp"
+
+namespace cdsm::cli {
+
+/// What shadows cost in a frame, what a map costs, what shadow rays would cost.
+std::vector<Table> benchDemo(const BenchOptions& options);
+
+/// [Knecht 2011, Tables 5.1 to 5.4]: times against the size of the maps, with and without clusters.
+std::vector<Table> benchMapSize(const BenchOptions& options);
+
+/// [Knecht 2011, Tables 5.5 to 5.7]: times and nodes against the resolution of a volume.
+std::vector<Table> benchVolumeSize(const BenchOptions& options);
+
+/// [Knecht 2011, Tables 5.8 to 5.10]: times and nodes against the tolerance of the compression.
+std::vector<Table> benchTolerance(const BenchOptions& options);
+
+/// [Knecht 2011, Figure 5.13]: times against the number of objects.
+std::vector<Table> benchObjects(const BenchOptions& options);
+
+/// [Knecht 2011, Table 5.11]: memory that chunks take and waste.
+std::vector<Table> benchChunks(const BenchOptions& options);
+
+/// [Knecht 2011, Figure 5.14]: frame rates while the camera moves.
+std::vector<Table> benchGallery(const BenchOptions& options);
+
+/// What clusters are for: the error of shadows, and what they cost.
+std::vector<Table> benchClustering(const BenchOptions& options);
+
+}  // namespace cdsm::cli
