@@ -78,6 +78,22 @@ float interiorStepOf(const ShadowSettings& shadows, float extinction, float diag
   return extinction > 0.0f ? std::clamp(opticalStep / extinction, most / float(CDSM_MOST_STEPS), step) : step;
 }
 
+/// How many of the first i entries of a medium's table have extinction. A peak of the curve that lies between two
+/// entries without counts with the second one.
+std::vector<std::uint32_t> solidEntriesBefore(const shared::MediumData& medium, const float* extinctions,
+                                              const ExtinctionCurve& curve) {
+  std::vector<bool> solid;
+  for (shared::uint i = 0; i <= medium.lutLast; ++i) solid.push_back(extinctions[i] > 0.0f);
+  for (const shared::float2& corner : curve) {
+    const float at = std::clamp(corner.x * medium.lutScale + medium.lutBias, 0.0f, float(medium.lutLast));
+    const auto low = std::size_t(at), high = std::size_t(std::ceil(at));
+    if (corner.y > 0.0f && extinctions[low] <= 0.0f && extinctions[high] <= 0.0f) solid[high] = true;
+  }
+  std::vector<std::uint32_t> before{0};
+  for (const bool entry : solid) before.push_back(before.back() + entry);
+  return before;
+}
+
 scene::Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject) {
   scene::Bounds bounds;
   for (const glm::vec3& p : data.positions) bounds.add(glm::vec3(worldFromObject * glm::vec4(p, 1.0f)));
@@ -93,6 +109,7 @@ void DeviceScene::clear() {
   mediumLists_.clear();
   hostMedia_.clear();
   mediumOwner_.clear();
+  curves_.clear();
   extinctionLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
@@ -120,6 +137,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
   mediumLists_.push_back(shared::uint(hostMedia_.size()));
   hostMedia_.push_back(medium);
+  curves_.push_back(makeExtinctionCurve(volume.transfer));
   mediumOwner_.push_back(boxObject(scene, volume));
 }
 
@@ -142,6 +160,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
     medium.receives = mesh.shadow.receives;
     mediumLists_.push_back(shared::uint(hostMedia_.size()));
     hostMedia_.push_back(medium);
+    curves_.emplace_back();
     mediumOwner_.push_back(unsigned(index));
   }
   for (const Volume& volume : scene.volumes)
@@ -271,10 +290,12 @@ ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) cons
 void DeviceScene::classifyCells() {
   Classified now;
   now.extinctions = extinctionLut_;
-  for (const shared::MediumData& medium : hostMedia_) {
+  for (std::size_t i = 0; i < hostMedia_.size(); ++i) {
+    const shared::MediumData& medium = hostMedia_[i];
     if (medium.size.w < 0) continue;
     now.data.push_back(slots_.slot(medium.size.w).data);
     now.tables.insert(now.tables.end(), {medium.lutScale, medium.lutBias, float(medium.lutOffset)});
+    for (const shared::float2& corner : curves_[i]) now.tables.insert(now.tables.end(), {corner.x, corner.y});
   }
   if (classified_ == now) return;
   classified_.reset();
@@ -282,18 +303,16 @@ void DeviceScene::classifyCells() {
   cells_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
   cellsBefore_ = {};
   cellsBefore_ = device::Buffer<std::uint8_t>(device_, cellCount_, "macrocells");
-  for (const shared::MediumData& medium : hostMedia_) classify(medium);
+  for (std::size_t i = 0; i < hostMedia_.size(); ++i) classify(hostMedia_[i], curves_[i]);
   classified_ = std::move(now);
 }
 
-void DeviceScene::classify(const shared::MediumData& medium) {
+void DeviceScene::classify(const shared::MediumData& medium, const ExtinctionCurve& curve) {
   using Uints = device::Buffer<std::uint32_t>;
   using Cells = device::Buffer<std::uint8_t>;
   if (medium.size.w < 0) return;
   const std::size_t count = std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
-  std::vector<std::uint32_t> solidBefore{0};
-  for (shared::uint i = 0; i <= medium.lutLast; ++i)
-    solidBefore.push_back(solidBefore.back() + (extinctionLut_[medium.lutOffset + i] > 0.0f));
+  const std::vector<std::uint32_t> solidBefore = solidEntriesBefore(medium, &extinctionLut_[medium.lutOffset], curve);
   const Uints solid = Uints::fromHost(device_, solidBefore, "table of extinctions");
   const shared::CellParams params{medium.cells, medium.lutScale, medium.lutBias, medium.lutLast, 0};
   const cl::Program& program = device_.programs().get({"build/macrocells.cl", {}, {}});

@@ -8,6 +8,7 @@
 
 #include <cdsm/scene.hpp>
 
+#include "build/extinction_curve.hpp"
 #include "build/geometry.hpp"
 #include "build/object_set.hpp"
 #include "build/volume_slots.hpp"
@@ -47,6 +48,9 @@ class DeviceScene {
   /// Per medium, the object that encloses it.
   std::vector<std::uint32_t> objectsOfMedia() const;
 
+  /// Per medium.
+  const std::vector<ExtinctionCurve>& curves() const { return curves_; }
+
   const scene::Bounds& bounds() const { return bounds_; }
 
  private:
@@ -62,7 +66,7 @@ class DeviceScene {
   void classifyCells();
   /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
-  void classify(const shared::MediumData& medium);
+  void classify(const shared::MediumData& medium, const ExtinctionCurve& curve);
 
   device::Device& device_;
   Scene scene_;  ///< what is on the device
@@ -84,10 +88,11 @@ class DeviceScene {
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
   std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
+  std::vector<ExtinctionCurve> curves_;
   std::vector<float> extinctionLut_;
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
-  /// What the macrocells were classified from: data, table of extinctions, scale and bias of each volume.
+  /// What the macrocells were classified from: data, table of extinctions, scale, bias and curve of each volume.
   struct Classified {
     std::vector<std::shared_ptr<const VolumeData>> data;
     std::vector<float> extinctions, tables;

@@ -28,7 +28,8 @@ void DeepShadowMap::prepare(const Preparation& to) {
   for (std::size_t i = 0; i < jobs.size(); ++i) same = same && jobs[i].kept == int(i);
   built_.reset();
   if (!same) {
-    mapData_ = pass_.run(to.deviceScene, jobs, to.scene.shadows.tolerance, to.raster, *memory_, to.report);
+    const build::MapAccuracy accuracy{to.scene.shadows.tolerance, to.scene.shadows.toleranceMode == "everywhere"};
+    mapData_ = pass_.run(to.deviceScene, jobs, accuracy, to.raster, *memory_, to.report);
     maps_ = device::Buffer<shared::MapData>::fromHost(device_, mapData_, "maps");
   }
   clusters_ = std::move(clusters);
