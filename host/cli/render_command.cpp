@@ -51,6 +51,7 @@ void renderImage(const RenderOptions& options) {
   checkFiles(options, {image});
   SceneRun run(options);
   io::writeImage(image, run.engine().render(run.scene()));
+  run.warn();
   run.writeStats();
 }
 
@@ -61,6 +62,7 @@ void renderFrames(const RenderOptions& options, const io::FrameRange& frames, co
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
     io::writeImage(images[frame - frames.first], run.engine().render(run.scene()));
+    run.warn();
     stats.push_back(run.engine().stats());
     stats.back().frame = frame;
   }
