@@ -25,6 +25,12 @@ void Console::clearLine() {
   lineShown_ = false;
 }
 
+void Console::warn(const std::string& message) {
+  if (quiet_) return;
+  clearLine();
+  std::cerr << "warning: " << label_ << message << std::endl;
+}
+
 void Console::progress(const std::string& step, float done) {
   if (quiet_ || !terminal_) return;
   const Clock::time_point now = Clock::now();

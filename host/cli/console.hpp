@@ -19,6 +19,9 @@ class Console {
   /// What progress is about, before the step.
   void setLabel(const std::string& label) { label_ = label; }
 
+  /// A line "warning: ..." on any stderr, unless quiet.
+  void warn(const std::string& message);
+
   /// `done` of this step in [0, 1].
   void progress(const std::string& step, float done);
 

@@ -67,6 +67,7 @@ void renderImage(const RenderOptions& options) {
   checkFiles(options, {image});
   SceneRun run(options);
   renderTo(image, options, run);
+  run.warn();
   run.writeStats();
 }
 
@@ -77,6 +78,7 @@ void renderFrames(const RenderOptions& options, const io::FrameRange& frames, co
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
     renderTo(images[frame - frames.first], options, run);
+    run.warn();
     stats.push_back(run.engine().stats());
     stats.back().frame = frame;
   }

@@ -76,6 +76,10 @@ void SceneRun::goTo(int frame, const std::string& label) {
   frame_ = frame;
 }
 
+void SceneRun::warn() {
+  for (const std::string& warning : engine_.stats().warnings) console_.warn(warning);
+}
+
 void SceneRun::writeStats(const std::vector<FrameStats>& frames) const {
   if (statsPath_.empty()) return;
   io::AtomicFile file(statsPath_);

@@ -45,6 +45,9 @@ class SceneRun {
   /// Goes on to another frame; `label` is what progress begins with.
   void goTo(int frame, const std::string& label);
 
+  /// Passes on what the engine's last call had to warn of.
+  void warn();
+
   /// Writes statistics, if asked to: of the engine's last call, or of `frames` and with the settings of the last one.
   void writeStats() const { writeStats({engine_.stats()}); }
   void writeStats(const std::vector<FrameStats>& frames) const;

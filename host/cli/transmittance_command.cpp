@@ -26,6 +26,7 @@ void answer(const TransmittanceOptions& options) {
   const std::vector<glm::vec3> points = io::readPoints(options.points);
   SceneRun run(options);
   io::writeTransmittances(options.output, points, run.engine().transmittance(run.scene(), options.light, points));
+  run.warn();
   run.writeStats();
 }
 

@@ -13,8 +13,8 @@ struct MapStats {
   int cluster = 0;
   std::vector<std::string> objects;  ///< names of what casts in this map
   bool regenerated = false;
-  std::string reason;  ///< of regenerating it: "first", "settings", "light moved", "light turned", "cone", "light",
-                       ///< "cluster", "objects", "object NAME", "transfer function of NAME"; empty if kept
+  std::string reason;  ///< of regenerating it: "first", "settings", "tolerance", "light moved", "light turned", "cone",
+                       ///< "light", "cluster", "objects", "object NAME", "transfer function of NAME"; empty if kept
   std::uint64_t texels = 0;
   double nodesMean = 0.0;  ///< over all texels, empty ones included
   std::uint64_t nodesMax = 0;
@@ -36,6 +36,8 @@ struct MemoryStats {
   std::uint64_t bytesWasted = 0;
   std::uint64_t chunksUsed = 0;    ///< while building, strategy "chunked" alone
   std::uint64_t chunksWasted = 0;  ///< handed out and never written
+  double tolerance = 0.0;          ///< that the maps were built at: larger than asked for if they were coarsened
+  std::uint64_t limit = 0;         ///< bytes that bytesReserved may not exceed; 0: none
   double bytesPerNode = 0.0;       ///< of a node itself, without bookkeeping
 };
 
@@ -59,9 +61,10 @@ struct FrameStats {
   std::vector<LightStats> lights;
   MemoryStats memory;
   std::vector<KernelTime> kernels;
-  std::uint64_t shadedSamples = 0;   ///< volume samples with an opacity, summed over the camera's rays
-  std::vector<std::string> reports;  ///< what a pass had to repeat, and why ("pair buffer grown to ...")
-  std::optional<ViewStats> view;     ///< if the frame was a debug picture
+  std::uint64_t shadedSamples = 0;    ///< volume samples with an opacity, summed over the camera's rays
+  std::vector<std::string> warnings;  ///< what is other than the scene asks for, and why
+  std::vector<std::string> reports;   ///< what a pass had to repeat, and why ("pair buffer grown to ...")
+  std::optional<ViewStats> view;      ///< if the frame was a debug picture
 };
 
 }  // namespace cdsm

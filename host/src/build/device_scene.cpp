@@ -88,6 +88,7 @@ void DeviceScene::clear() {
   mediumLists_.clear();
   hostMedia_.clear();
   mediumOwner_.clear();
+  curves_.clear();
   extinctionLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
@@ -115,6 +116,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
   mediumLists_.push_back(shared::uint(hostMedia_.size()));
   hostMedia_.push_back(medium);
+  curves_.push_back(makeExtinctionCurve(volume.transfer));
   mediumOwner_.push_back(boxObject(scene, volume));
 }
 
@@ -137,6 +139,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
     medium.receives = mesh.shadow.receives;
     mediumLists_.push_back(shared::uint(hostMedia_.size()));
     hostMedia_.push_back(medium);
+    curves_.emplace_back();
     mediumOwner_.push_back(unsigned(index));
   }
   for (const Volume& volume : scene.volumes)
@@ -178,7 +181,7 @@ void DeviceScene::update(const Scene& scene) {
   updateBounds();
   geometry_.update(objectTriangles_);
   upload();
-  cells_.run(slots_, hostMedia_, extinctionLut_);
+  cells_.run(slots_, hostMedia_, extinctionLut_, curves_);
   requireSteps();
 }
 

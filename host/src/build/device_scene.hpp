@@ -7,6 +7,7 @@
 
 #include <cdsm/scene.hpp>
 
+#include "build/extinction_curve.hpp"
 #include "build/geometry.hpp"
 #include "build/macrocell_pass.hpp"
 #include "build/object_set.hpp"
@@ -47,6 +48,9 @@ class DeviceScene {
   /// Per medium, the object that encloses it.
   std::vector<std::uint32_t> objectsOfMedia() const;
 
+  /// Per medium.
+  const std::vector<ExtinctionCurve>& curves() const { return curves_; }
+
   const scene::Bounds& bounds() const { return bounds_; }
 
  private:
@@ -81,6 +85,7 @@ class DeviceScene {
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
   std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
+  std::vector<ExtinctionCurve> curves_;
   std::vector<float> extinctionLut_;
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "build/extinction_curve.hpp"
 #include "build/volume_slots.hpp"
 #include "shared/scene_data.h"
 
@@ -16,15 +17,15 @@ class MacrocellPass {
   explicit MacrocellPass(device::Device& device) : device_(device) {}
 
   /// Classifies the cells of all volumes among the media, unless values and extinctions are as before. `extinctions`:
-  /// the tables of all volumes.
+  /// the tables of all volumes; `curves`: of each medium.
   void run(const VolumeSlots& slots, const std::vector<shared::MediumData>& media,
-           const std::vector<float>& extinctions);
+           const std::vector<float>& extinctions, const std::vector<ExtinctionCurve>& curves);
 
   /// Of all volumes, see MediumData::cells. 0: extinction somewhere in the cell, else empty.
   const device::Buffer<std::uint8_t>& cells() const { return cells_; }
 
  private:
-  /// What cells were classified from: data, tables of extinctions, where each volume's table and its cells are.
+  /// What cells were classified from: data, tables and curves of extinctions, where each volume's table is.
   struct Classified {
     std::vector<std::shared_ptr<const VolumeData>> data;
     std::vector<float> extinctions, tables;
@@ -34,7 +35,8 @@ class MacrocellPass {
     }
   };
 
-  void classify(const VolumeSlots& slots, const shared::MediumData& medium, const std::vector<float>& extinctions);
+  void classify(const VolumeSlots& slots, const shared::MediumData& medium, const std::vector<float>& extinctions,
+                const ExtinctionCurve& curve);
 
   device::Device& device_;
   std::optional<Classified> classified_;

@@ -5,9 +5,17 @@
 
 namespace cdsm::build {
 
-std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::vector<MapJob>& jobs, float tolerance,
-                                          RasterPass& raster, memory::MemoryStrategy& memory,
-                                          const RasterPass::Report& report) {
+namespace {
+
+const char* marchFile(const MapAccuracy& accuracy) {
+  return accuracy.everywhere ? "\"build/march_everywhere.clh\"" : "\"build/march_samples.clh\"";
+}
+
+}  // namespace
+
+std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::vector<MapJob>& jobs,
+                                          const MapAccuracy& accuracy, RasterPass& raster,
+                                          memory::MemoryStrategy& memory, const RasterPass::Report& report) {
   std::vector<shared::MapData> maps;
   std::vector<int> kept;
   for (const MapJob& job : jobs) {
@@ -17,8 +25,11 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
   memory.reserve(maps, kept);
   BuildKernel buildVisibility(device_,
                               sceneProgram(device_, scene, "build/build_map.cl",
-                                           {{"CDSM_MEMORY", '"' + std::string(memory.kernelFile()) + '"'}}),
+                                           {{"CDSM_MARCH", marchFile(accuracy)},
+                                            {"CDSM_MEMORY", '"' + std::string(memory.kernelFile()) + '"'}}),
                               "buildVisibility");
+  const ExtinctionCurves curves(device_, accuracy.everywhere ? scene.curves() : std::vector<ExtinctionCurve>());
+  const device::ArgumentList marchArguments = accuracy.everywhere ? curves.arguments() : device::ArgumentList();
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (kept[i] != memory::kBuildAnew) continue;
     const ObjectSet casters = scene.castingObjects(jobs[i].casters);
@@ -27,12 +38,12 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
       Layers& layers = raster.run(scene, casters, jobs[i].view, report);
       device_.profiler().beginGroup("build maps");
       const auto mapBuffer = device::Buffer<shared::MapData>::fromHost(device_, maps, "maps");
-      const shared::BuildParams params{layers.view, tolerance, casters.interiorStep, shared::uint(i), 0};
+      const shared::BuildParams params{layers.view, accuracy.tolerance, casters.interiorStep, shared::uint(i), 0};
       memory.beginMap();
       const std::size_t pixels = std::size_t(layers.view.tilesX) * layers.view.tilesY * CDSM_TILE_PIXELS;
       buildVisibility({"build visibility functions", {pixels}, {CDSM_TILE_PIXELS}}, params, layers.fragments,
                       layers.ranges, mapBuffer, memory.params(), memory.writeArguments(),
-                      scene.arguments(casters, layers.initialObjects));
+                      scene.arguments(casters, layers.initialObjects), marchArguments);
       std::string why;
       complete = memory.finishMap(i, maps, why);
       if (!complete) report(why);

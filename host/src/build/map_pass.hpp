@@ -11,6 +11,12 @@
 
 namespace cdsm::build {
 
+/// What |V' - V| <= tolerance is to mean.
+struct MapAccuracy {
+  float tolerance;  ///< epsilon of the compression, in opacity
+  bool everywhere;  ///< at every depth, of the exact integral; false: at the samples of the ray
+};
+
 /// A map to build, or to take over.
 struct MapJob {
   shared::MapData map;  ///< where points land in it
@@ -24,14 +30,14 @@ class MapPass {
   explicit MapPass(device::Device& device) : device_(device) {}
 
   /// Builds into `memory` the maps that are not taken over; returns them with the places of their nodes.
-  std::vector<shared::MapData> run(const DeviceScene& scene, const std::vector<MapJob>& jobs, float tolerance,
-                                   RasterPass& raster, memory::MemoryStrategy& memory,
+  std::vector<shared::MapData> run(const DeviceScene& scene, const std::vector<MapJob>& jobs,
+                                   const MapAccuracy& accuracy, RasterPass& raster, memory::MemoryStrategy& memory,
                                    const RasterPass::Report& report);
 
  private:
-  using BuildKernel =
-      device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
-                     device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList, device::ArgumentList>;
+  using BuildKernel = device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                                     device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList,
+                                     device::ArgumentList, device::ArgumentList>;
 
   device::Device& device_;
 };

@@ -15,6 +15,13 @@ using Json = nlohmann::ordered_json;
 /// Names from drivers and file systems need not be UTF-8: what is not is replaced rather than an error.
 std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+/// The double with the fewest digits that is still this float: 0.01f becomes 0.01 and not 0.00999999977648258.
+double fewestDigits(float value) {
+  char digits[32] = {};
+  std::to_chars(digits, digits + sizeof digits - 1, value);
+  return std::strtod(digits, nullptr);
+}
+
 Json mapJson(const MapStats& map) {
   return {{"cluster", map.cluster},    {"objects", map.objects},        {"regenerated", map.regenerated},
           {"reason", map.reason},      {"texels", map.texels},          {"nodes_mean", map.nodesMean},
@@ -33,10 +40,15 @@ Json lightsJson(const std::vector<LightStats>& lights) {
 }
 
 Json memoryJson(const MemoryStats& memory) {
-  return {{"strategy", memory.strategy},          {"bytes_reserved", memory.bytesReserved},
-          {"bytes_used", memory.bytesUsed},       {"bytes_wasted", memory.bytesWasted},
-          {"chunks_used", memory.chunksUsed},     {"chunks_wasted", memory.chunksWasted},
-          {"bytes_per_node", memory.bytesPerNode}};
+  return {{"strategy", memory.strategy},
+          {"bytes_reserved", memory.bytesReserved},
+          {"bytes_used", memory.bytesUsed},
+          {"bytes_wasted", memory.bytesWasted},
+          {"chunks_used", memory.chunksUsed},
+          {"chunks_wasted", memory.chunksWasted},
+          {"bytes_per_node", memory.bytesPerNode},
+          {"tolerance", fewestDigits(float(memory.tolerance))},
+          {"limit", memory.limit}};
 }
 
 Json kernelsJson(const std::vector<KernelTime>& kernels) {
@@ -65,16 +77,10 @@ Json frameJson(const FrameStats& frame) {
                {"memory", memoryJson(frame.memory)},
                {"kernels", kernelsJson(frame.kernels)},
                {"shaded_samples", frame.shadedSamples},
+               {"warnings", frame.warnings},
                {"reports", frame.reports}};
   if (frame.view) json["view"] = viewJson(*frame.view);
   return json;
-}
-
-/// The double with the fewest digits that is still this float: 0.01f becomes 0.01 and not 0.00999999977648258.
-double fewestDigits(float value) {
-  char digits[32] = {};
-  std::to_chars(digits, digits + sizeof digits - 1, value);
-  return std::strtod(digits, nullptr);
 }
 
 Json settingsJson(const ShadowSettings& shadows) {
@@ -82,11 +88,14 @@ Json settingsJson(const ShadowSettings& shadows) {
           {"memory", shadows.memory},
           {"map_size", shadows.mapSize},
           {"tolerance", fewestDigits(shadows.tolerance)},
+          {"tolerance_mode", shadows.toleranceMode},
           {"filter", shadows.filter},
           {"clusters", shadows.clusters},
           {"cluster_distance", fewestDigits(shadows.clusterDistance)},
           {"stable", shadows.stable},
           {"step", fewestDigits(shadows.step)},
+          {"memory_limit_mb", fewestDigits(shadows.memoryLimitMb)},
+          {"on_overflow", shadows.onOverflow},
           {"bias", fewestDigits(shadows.bias)}};
 }
 

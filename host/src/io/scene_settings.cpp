@@ -15,6 +15,8 @@ namespace {
 const Choices kTechniques{{"none", "shadow-rays", "deep-shadow-map"}, {"shadow-map", "stochastic", "implicit-sphere"}};
 const Choices kMemories{{"atlas", "chunked"}, {"exact", "tiled", "fixed"}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
+const Choices kToleranceModes{{"samples", "everywhere"}, {}};
+const Choices kOverflows{{"error", "coarsen"}, {}};
 const Choices kTransmittances{{"grey"}, {"rgb"}};
 const Choices kCaches{{"none"}, {"volume"}};
 
@@ -60,16 +62,19 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.memory = reader.choice("memory", shadows.memory, kMemories);
   shadows.mapSize = reader.integer("map_size", shadows.mapSize, scene::kMapSize);
   shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
+  shadows.toleranceMode = reader.choice("tolerance_mode", shadows.toleranceMode, kToleranceModes);
   shadows.filter = reader.choice("filter", shadows.filter, kFilters);
   shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
   shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);
   shadows.stable = reader.flag("stable", shadows.stable);
   shadows.step = reader.number("step", shadows.step, scene::kNotNegative);
+  shadows.memoryLimitMb = reader.number("memory_limit_mb", shadows.memoryLimitMb, scene::kNotNegative);
+  shadows.onOverflow = reader.choice("on_overflow", shadows.onOverflow, kOverflows);
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
   reader.choice("transmittance", "grey", kTransmittances);
   reader.choice("cache", "none", kCaches);
   for (const auto& [key, accepted] : kLaterShadowKeys) reader.refuseUnless(key, accepted);
-  reader.locate("", [&] { scene::validateShadows(shadows); });
+  reader.locate("tolerance", [&] { scene::validateShadows(shadows); });  // all else has been checked above
   return shadows;
 }
 

@@ -88,8 +88,11 @@ LightChange lightChange(const Light& a, const Light& b) {
 }
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
-  return std::tie(a.technique, a.memory, a.mapSize, a.tolerance, a.step) ==
-         std::tie(b.technique, b.memory, b.mapSize, b.tolerance, b.step);
+  const auto settings = [](const ShadowSettings& s) {
+    return std::tie(s.technique, s.memory, s.mapSize, s.tolerance, s.toleranceMode, s.step, s.memoryLimitMb,
+                    s.onOverflow);
+  };
+  return settings(a) == settings(b);
 }
 
 }  // namespace cdsm::scene

@@ -36,6 +36,10 @@ void requireDirection(const glm::vec3& direction, const std::string& what) {
   if (glm::length(glm::dvec3(direction)) < kShortestView) throw Error(what + " has no length, must be a direction");
 }
 
+void requireEither(const std::string& value, const char* one, const char* other, const std::string& what) {
+  if (value != one && value != other) throw Error(what + " is '" + value + "', must be " + one + " or " + other);
+}
+
 void requireTransform(const glm::mat4& worldFromObject, const std::string& what) {
   if (!isInvertibleAffine(worldFromObject)) {
     throw Error(what + ": the transform cannot be inverted, must be finite, without a scale of 0 and with the last " +
@@ -98,13 +102,16 @@ void validateImage(const ImageSettings& image) {
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
+  if (shadows.toleranceMode == "everywhere")
+    requireRange(shadows.tolerance, kToleranceEverywhere, "shadows tolerance with tolerance_mode everywhere");
+  requireRange(shadows.memoryLimitMb, kNotNegative, "shadows memory_limit_mb");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
   requireRange(shadows.bias, kNotNegative, "shadows bias");
-  if (shadows.filter != "bilinear" && shadows.filter != "nearest") {
-    throw Error("shadows filter is '" + shadows.filter + "', must be bilinear or nearest");
-  }
+  requireEither(shadows.filter, "bilinear", "nearest", "shadows filter");
+  requireEither(shadows.toleranceMode, "samples", "everywhere", "shadows tolerance_mode");
+  requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
 }
 
 void validateLight(const Light& light) {

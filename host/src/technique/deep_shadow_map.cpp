@@ -5,6 +5,8 @@
 #include <chrono>
 
 #include "cluster/light_camera.hpp"
+#include "scene/range.hpp"
+#include "technique/memory_budget.hpp"
 
 namespace cdsm::technique {
 
@@ -35,11 +37,31 @@ void DeepShadowMap::prepare(const Preparation& to) {
   for (std::size_t i = 0; i < jobs.size(); ++i) same = same && jobs[i].kept == int(i);
   built_.reset();
   if (!same) {
-    mapData_ = pass_.run(to.deviceScene, jobs, to.scene.shadows.tolerance, to.raster, *memory_, to.report);
+    const float wanted = to.scene.shadows.tolerance, before = builtTolerance_;
+    buildMaps(to, jobs);
+    for (MapCluster& cluster : clusters)
+      if (cluster.reason.empty() && (before != wanted || builtTolerance_ != wanted)) cluster.reason = "tolerance";
     maps_ = device::Buffer<shared::MapData>::fromHost(device_, mapData_, "maps");
   }
   clusters_ = std::move(clusters);
   built_ = to.scene;
+}
+
+void DeepShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs) {
+  const MemoryBudget budget(to.scene.shadows);
+  std::uint64_t texels = 0;
+  for (const build::MapJob& job : jobs) texels += std::uint64_t(job.map.width) * job.map.height;
+  budget.requireRoomFor(texels);
+  budget.fit([&](float tolerance) { return buildMapsAt(tolerance, to, jobs); });
+}
+
+std::uint64_t DeepShadowMap::buildMapsAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs) {
+  if (tolerance != builtTolerance_)
+    for (build::MapJob& job : jobs) job.kept = memory::kBuildAnew;
+  const build::MapAccuracy accuracy{tolerance, to.scene.shadows.toleranceMode == "everywhere"};
+  mapData_ = pass_.run(to.deviceScene, jobs, accuracy, to.raster, *memory_, to.report);
+  builtTolerance_ = tolerance;
+  return memory_->stats().bytesReserved;
 }
 
 cluster::LightClusters DeepShadowMap::handedOver(const Preparation& to, std::size_t light, cluster::LightPlan plan,
@@ -131,6 +153,14 @@ void DeepShadowMap::addStats(const Scene& scene, FrameStats& stats) const {
       stats.lights[cluster.light].maps.push_back(mapStats(scene, cluster, view));
   stats.clusterMs = clusterMs_;
   stats.memory = memory_->stats();
+  const MemoryBudget budget(scene.shadows);
+  stats.memory.tolerance = builtTolerance_;
+  stats.memory.limit = budget.limit();
+  if (builtTolerance_ == scene.shadows.tolerance) return;
+  stats.warnings.push_back("the maps were coarsened to shadows.tolerance = " + scene::formatNumber(builtTolerance_) +
+                           " instead of " + scene::formatNumber(scene.shadows.tolerance) +
+                           ", to fit in shadows.memory_limit_mb = " + scene::formatNumber(scene.shadows.memoryLimitMb));
+  stats.reports.push_back(stats.warnings.back());
 }
 
 MapStats DeepShadowMap::mapStats(const Scene& scene, const MapCluster& cluster, std::size_t index) const {

@@ -41,6 +41,10 @@ class DeepShadowMap : public ShadowTechnique {
   /// Finds out which maps can stay and gives the other clusters their cameras.
   std::vector<build::MapJob> makeJobs(const Scene& scene, const std::vector<cluster::Caster>& shapes,
                                       std::vector<MapCluster>& clusters);
+  /// Builds what is not kept at a tolerance at which all maps fit in the memory that they may take.
+  void buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs);
+  /// Bytes of the maps after building them at a tolerance; takes over none that were built at another.
+  std::uint64_t buildMapsAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs);
   MapStats mapStats(const Scene& scene, const MapCluster& cluster, std::size_t view) const;
 
   device::Device& device_;
@@ -49,6 +53,7 @@ class DeepShadowMap : public ShadowTechnique {
   cluster::MeshShapes meshShapes_;
   std::vector<cluster::HandOver> handOvers_;  ///< per light, if stable
   std::optional<Scene> built_;                ///< what the maps were built for
+  float builtTolerance_ = 0.0f;               ///< that of the maps
   std::vector<MapCluster> clusters_;
   std::vector<LightMaps> lightMaps_;
   std::vector<shared::MapData> mapData_;
