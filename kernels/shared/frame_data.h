@@ -40,6 +40,6 @@ typedef struct TechniqueParams {
   uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
   uint padding;
 } TechniqueParams;
-CDSM_SIZE(TechniqueParams, 48);
+CDSM_SIZE(TechniqueParams, 64);
 
 CDSM_SHARED_END

@@ -36,6 +36,7 @@ struct MemoryStats {
   std::uint64_t chunksUsed = 0;    ///< while building, strategy "chunked" alone
   std::uint64_t chunksWasted = 0;  ///< handed out and never written
   double bytesPerNode = 0.0;       ///< of a node itself, without bookkeeping
+  double mergeError = 0.0;  ///< strategy "fixed" alone: no visibility function moved by more when nodes were merged
 };
 
 /// One launch of a kernel, by its human name.

@@ -33,10 +33,10 @@ Json lightsJson(const std::vector<LightStats>& lights) {
 }
 
 Json memoryJson(const MemoryStats& memory) {
-  return {{"strategy", memory.strategy},          {"bytes_reserved", memory.bytesReserved},
-          {"bytes_used", memory.bytesUsed},       {"bytes_wasted", memory.bytesWasted},
-          {"chunks_used", memory.chunksUsed},     {"chunks_wasted", memory.chunksWasted},
-          {"bytes_per_node", memory.bytesPerNode}};
+  return {{"strategy", memory.strategy},           {"bytes_reserved", memory.bytesReserved},
+          {"bytes_used", memory.bytesUsed},        {"bytes_wasted", memory.bytesWasted},
+          {"chunks_used", memory.chunksUsed},      {"chunks_wasted", memory.chunksWasted},
+          {"bytes_per_node", memory.bytesPerNode}, {"merge_error", memory.mergeError}};
 }
 
 Json kernelsJson(const std::vector<KernelTime>& kernels) {
@@ -72,6 +72,7 @@ double fewestDigits(float value) {
 Json settingsJson(const ShadowSettings& shadows) {
   return {{"technique", shadows.technique},
           {"memory", shadows.memory},
+          {"max_nodes", shadows.maxNodes},
           {"map_size", shadows.mapSize},
           {"tolerance", fewestDigits(shadows.tolerance)},
           {"filter", shadows.filter},

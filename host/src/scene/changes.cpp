@@ -88,8 +88,8 @@ LightChange lightChange(const Light& a, const Light& b) {
 }
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
-  return std::tie(a.technique, a.memory, a.mapSize, a.tolerance, a.step) ==
-         std::tie(b.technique, b.memory, b.mapSize, b.tolerance, b.step);
+  return std::tie(a.technique, a.memory, a.maxNodes, a.mapSize, a.tolerance, a.step) ==
+         std::tie(b.technique, b.memory, b.maxNodes, b.mapSize, b.tolerance, b.step);
 }
 
 }  // namespace cdsm::scene

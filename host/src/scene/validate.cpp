@@ -97,6 +97,7 @@ void validateImage(const ImageSettings& image) {
 
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
+  requireRange(shadows.maxNodes, kMaxNodes, "shadows max_nodes");
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
