@@ -37,7 +37,7 @@ def files_with(folder, text):
 # What a text may mention, and the values to try; None: not defined.
 CHOICES = {
     "CDSM_TECHNIQUE": files_with("technique", "lightTransmittancePoint("),
-    "CDSM_MEMORY": files_with("memory", "texelNodes("),
+    "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
     "CDSM_BATCH": ["4", "8"],
     "CDSM_TILE_CHUNKS": ["120"],

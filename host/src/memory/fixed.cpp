@@ -57,6 +57,7 @@ device::ArgumentList Fixed::writeArguments() const {
 MemoryStats Fixed::stats() const {
   MemoryStats stats = store_.stats("fixed");
   for (const float error : mergeErrors_) stats.mergeError = std::max(stats.mergeError, double(error));
+  stats.mergeError = std::min(stats.mergeError, 1.0);
   return stats;
 }
 

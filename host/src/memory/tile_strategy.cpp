@@ -22,7 +22,7 @@ std::uint64_t wide(shared::uint low, shared::uint high) { return std::uint64_t(h
 int tileChunks(const device::Device& device) {
   // a quarter, so that several groups are in flight; more than 1024 (128 nodes per texel) would leave the caches
   const std::size_t bytes = std::size_t(device.description().localMemoryBytes) / 4;
-  return int(std::clamp<std::size_t>(bytes / kChunkBytes, 16, 1024));
+  return int(std::clamp<std::size_t>(bytes / kChunkBytes, 128, 1024));
 }
 
 TileStrategy::TileStrategy(device::Device& device, std::size_t recordWords, Mode mode)
