@@ -3,29 +3,22 @@
 // [Knecht 2011, §3.2, Alg. 3.1]. CDSM_MARCH: how a ray goes through media, LightRay, beginMarch() and marchSegment().
 #include CDSM_MARCH
 
-/// A group per tile, an item per texel.
-__kernel void buildVisibility(BuildParams params, __global ulong* fragments, __global const uint2* ranges,
-                              __global const MapData* maps, CDSM_MEMORY_WRITE_PARAMS, CDSM_SCENE_PARAMS CDSM_MARCH_PARAMS) {
-  CDSM_SCENE_ACCESS(scene);
-  uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
-  int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);
-  int y = (int)(tile / (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel >> 3);
-  if (x >= params.view.width || y >= params.view.height) return;
-
+/// The visibility function of texel (x, y), from its fragments to its nodes.
+CDSM_INLINE void buildTexel(const BuildParams* params, int x, int y, uint2 range, __global ulong* fragments,
+                            __global const uint* initialObjects, NodeWriter* writer,
+                            SceneAccess scene CDSM_MARCH_PARAMS CDSM_VOLUME_PARAMS) {
   LightRay r;
-  MapData map = maps[params.mapIndex];
-  r.ray = rayThroughPixel(&params.view, x + 0.5f, y + 0.5f);
-  r.builder.writer = beginNodes(&map, x, y, CDSM_MEMORY_WRITE_ARGS);
+  r.ray = rayThroughPixel(&params->view, x + 0.5f, y + 0.5f);
+  r.builder.writer = *writer;
   r.builder.started = false;
   r.transmittance = 1.0f;
 
-  SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
-                               scene);
-  beginMarch(&r, &walk, params.tolerance);
+  SegmentWalk walk = beginWalk(fragments, range, &params->view, initialObjects, scene);
+  beginMarch(&r, &walk, params->tolerance);
   while (walk.left > 0 && r.transmittance > 0.0f) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
-      marchSegment(&r, scene, &walk, depth, params.interiorStep CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
+      marchSegment(&r, scene, &walk, depth, params->interiorStep CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
     float opacity = scene.objects[scene.triangles[nextFacing(&walk) >> 1].w].diffuse.w;
     if (opacity > 0.0f && r.transmittance > 0.0f) {
       r.transmittance *= 1.0f - opacity;
@@ -35,5 +28,26 @@ __kernel void buildVisibility(BuildParams params, __global ulong* fragments, __g
     passFragment(&walk, scene);
   }
   finishVisibility(&r.builder);
-  endNodes(&r.builder.writer);
+  *writer = r.builder.writer;
+}
+
+/// A group per tile, an item per texel. Items outside of the map have nothing to build, but meet the others of their
+/// group where the memory strategy lets them wait for each other.
+__kernel void buildVisibility(BuildParams params, __global ulong* fragments, __global const uint2* ranges,
+                              __global const MapData* maps, CDSM_MEMORY_WRITE_PARAMS,
+                              CDSM_SCENE_PARAMS CDSM_MARCH_PARAMS) {
+  CDSM_SCENE_ACCESS(scene);
+  __local TileMemory shared;
+  uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
+  int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);
+  int y = (int)(tile / (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel >> 3);
+  bool wanted = beginTile(tile, pixel, &shared, CDSM_MEMORY_WRITE_ARGS);
+  if (wanted && x < params.view.width && y < params.view.height) {
+    MapData map = maps[params.mapIndex];
+    NodeWriter writer = beginNodes(&map, x, y, &shared, CDSM_MEMORY_WRITE_ARGS);
+    buildTexel(&params, x, y, ranges[tile * CDSM_TILE_PIXELS + pixel], fragments, initialObjects, &writer,
+               scene CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
+    endNodes(&writer);
+  }
+  endTile(tile, pixel, &shared, CDSM_MEMORY_WRITE_ARGS);
 }

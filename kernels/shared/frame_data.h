@@ -40,6 +40,6 @@ typedef struct TechniqueParams {
   uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
   float texelBias;   ///< deep-shadow-map: texel widths that surface points are moved towards the light
 } TechniqueParams;
-CDSM_SIZE(TechniqueParams, 48);
+CDSM_SIZE(TechniqueParams, 64);
 
 CDSM_SHARED_END

@@ -33,10 +33,11 @@ typedef struct MapData {
   int4 atlasOffset;                      ///< atlas: x, y, layer [Knecht 2011, eq. 4.7]
   int width, height;                     ///< texels
   uint firstTexel;                       ///< of this map in the lookup table
-  uint firstNode;                        ///< chunked: of this map in the pool of nodes
+  uint firstNode;                        ///< of this map in the pool of nodes; all strategies but atlas
   float nearDepth;                       ///< nothing in front of it attenuates
   uint face;                             ///< side of an omni light whose points are looked up here, or CDSM_FACE_ANY
-  uint padding0, padding1;
+  uint wideTable;                        ///< exact: 1: 32-bit entries in its table, 0: 16-bit ones
+  uint padding;
 } MapData;
 CDSM_SIZE(MapData, 208);
 
@@ -48,23 +49,35 @@ typedef float2 Node;
 
 /// Sizes of the memory strategy in use.
 typedef struct MemoryParams {
-  int4 atlasSize;      ///< atlas: texels along x and y, layers of one map (even)
-  uint chunkCapacity;  ///< chunked, while building: chunks there is room for
+  int4 atlasSize;       ///< atlas: texels along x and y, layers of one map (even)
+  uint capacity;        ///< while building, there is room for: chunks (chunked), nodes of the map (exact, tiled)
+  uint firstNode;       ///< exact, tiled, while building: of the map in the pool of nodes
+  uint scratchChunks;   ///< exact, tiled, while building: that a tile may use; 0: nodes are counted, none is kept
+  uint fill;            ///< exact, tiled, while building: 1: only tiles that have a place but no nodes yet are built
+  uint nodesPerTexel;   ///< strategies with the same room for every texel
   uint padding0, padding1, padding2;
 } MemoryParams;
-CDSM_SIZE(MemoryParams, 32);
+CDSM_SIZE(MemoryParams, 48);
 
 /// What building a map wanted; more than the capacity means: make room and build again.
 typedef struct BuildCounters {
-  uint chunks;    ///< chunked: chunks handed out
-  uint maxNodes;  ///< most nodes of a texel
-  uint padding0, padding1;
+  uint chunks;                 ///< chunked: chunks handed out
+  uint maxNodes;               ///< most nodes of a texel
+  uint maxTileNodes;           ///< exact, tiled: most nodes of a tile
+  uint unfilledTiles;          ///< exact, tiled: that have a place but no nodes yet
+  uint nodesLow, nodesHigh;    ///< exact, tiled: nodes of all texels, 64 bits
+  uint roomLow, roomHigh;      ///< exact, tiled: nodes there must be room for, 64 bits
 } BuildCounters;
-CDSM_SIZE(BuildCounters, 16);
+CDSM_SIZE(BuildCounters, 32);
 
 /// Nodes of a chunk. A chunk belongs to one texel, so nobody races for it and none is lost.
 #define CDSM_CHUNK_NODES 8
-/// Chunked on image devices: pixels (of two nodes) in a row of the texture of nodes, as a power of two.
+/// Layers of a block of the strategy "tiled", which covers a tile.
+#define CDSM_BLOCK_LAYERS 4
+/// Words per tile of the strategy "exact": while building, and of the finished table with 16-bit entries.
+#define CDSM_EXACT_WORDS 65
+#define CDSM_EXACT_NARROW_WORDS 34
+/// On image devices: pixels (of two nodes) in a row of the texture of nodes, as a power of two.
 #define CDSM_NODE_TEXTURE_BITS 12
 
 CDSM_SHARED_END

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Same input, same device, same build: the same bytes. run_repeat.py CDSM SCENE_FOLDER
 
-Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of both memory strategies
-and of shadow rays."""
+Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of all memory
+strategies and of shadow rays."""
 import pathlib
 import sys
 import tempfile
@@ -11,7 +11,8 @@ import tempfile
 import job
 
 TIMEOUT_SECONDS = 120
-SETTINGS = [["shadows.memory=chunked"], ["shadows.memory=atlas"], ["shadows.technique=shadow-rays"]]
+SETTINGS = [["shadows.memory=" + name] for name in ["chunked", "atlas", "exact", "tiled", "fixed"]]
+SETTINGS.append(["shadows.technique=shadow-rays"])
 IMAGE = ["image.width=90", "image.height=60"]
 RUNS = [{"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "1"}]
 

@@ -43,7 +43,7 @@ TEST_F(SmallDevice, smallScenesWork) {
 }
 
 TEST_F(SmallDevice, mapsThatFitAreBuilt) {
-  for (const char* memory : {"chunked", "atlas"}) {
+  for (const char* memory : {"chunked", "atlas", "exact", "tiled", "fixed"}) {
     Scene scene = along(scene_, "deep-shadow-map", memory, "bilinear");
     scene.shadows.mapSize = 512;
     expectSound(engine_, scene);
@@ -60,6 +60,14 @@ TEST_F(SmallDevice, refusesChunksThatDoNotFit) {
   Scene scene = along(scene_, "deep-shadow-map", "chunked", "bilinear");
   scene.shadows.mapSize = 16384;
   expectRefused(scene);
+}
+
+TEST_F(SmallDevice, refusesExactMapsThatDoNotFit) {
+  for (const char* memory : {"exact", "tiled", "fixed"}) {
+    Scene scene = along(scene_, "deep-shadow-map", memory, "bilinear");
+    scene.shadows.mapSize = 16384;
+    expectRefused(scene);
+  }
 }
 
 TEST_F(SmallDevice, refusesAnImageThatDoesNotFit) {

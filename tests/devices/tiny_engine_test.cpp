@@ -22,6 +22,12 @@ TEST_P(TinyEngine, everythingByRays) {
 TEST_P(TinyEngine, volumesInAnAtlas) {
   expectSound(engine_, along(volumeScene(VoxelType::Int16), "deep-shadow-map", "atlas", "bilinear"));
 }
+TEST_P(TinyEngine, volumesInExactMaps) {
+  expectSound(engine_, along(volumeScene(VoxelType::UInt8), "deep-shadow-map", "exact", "bilinear"));
+}
+TEST_P(TinyEngine, volumesInTiledMaps) {
+  expectSound(engine_, along(volumeScene(VoxelType::UInt8), "deep-shadow-map", "tiled", "bilinear"));
+}
 TEST_P(TinyEngine, volumesWithoutShadows) {
   expectSound(engine_, along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear"));
 }
@@ -32,6 +38,11 @@ TEST_P(TinyEngine, cutVolumesFromInside) {
 TEST_P(TinyEngine, roomThatGrows) {
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "atlas", "nearest"));
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "chunked", "nearest"));
+  expectSound(engine_, along(stackScene(), "deep-shadow-map", "exact", "nearest"));
+  expectSound(engine_, along(stackScene(), "deep-shadow-map", "tiled", "nearest"));
+}
+TEST_P(TinyEngine, nodesThatAreMerged) {
+  expectSound(engine_, along(stackScene(), "deep-shadow-map", "fixed", "nearest"));
 }
 TEST_P(TinyEngine, debugPictures) {
   const Scene scene = along(everythingScene(), "deep-shadow-map", "chunked", "bilinear");

@@ -20,12 +20,17 @@ std::vector<Case> cases() {
   };
   return {{"EverythingChunked", maps(everythingScene(), "chunked")},
           {"EverythingAtlas", maps(everythingScene(), "atlas")},
+          {"EverythingExact", maps(everythingScene(), "exact")},
+          {"EverythingTiled", maps(everythingScene(), "tiled")},
           {"EverythingRays", along(everythingScene(), "shadow-rays", "chunked", "bilinear")},
           {"VolumeChunked", maps(volumeScene(VoxelType::UInt8), "chunked")},
           {"VolumeNone", along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear")},
           {"CutAtlas", maps(cutScene(), "atlas")},
           {"StackChunked", maps(stackScene(), "chunked")},
-          {"StackAtlas", maps(stackScene(), "atlas")}};
+          {"StackAtlas", maps(stackScene(), "atlas")},
+          {"StackExact", maps(stackScene(), "exact")},
+          {"StackTiled", maps(stackScene(), "tiled")},
+          {"StackFixed", maps(stackScene(), "fixed")}};
 }
 
 class Uninitialized : public ::testing::TestWithParam<std::tuple<std::size_t, const char*>> {
@@ -54,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(Buffers, Uninitialized,
                                             ::testing::Values("buffer")),
                          kName);
 INSTANTIATE_TEST_SUITE_P(Images, Uninitialized,
-                         ::testing::Combine(::testing::Values<std::size_t>(0, 1), ::testing::Values("image")), kName);
+                         ::testing::Combine(::testing::Values<std::size_t>(0, 1, 2, 3), ::testing::Values("image")),
+                         kName);
 
 }  // namespace
 }  // namespace cdsm::devices

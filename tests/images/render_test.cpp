@@ -24,7 +24,9 @@ std::vector<Technique> techniques() {
   return {{"None", {"none", "chunked", "bilinear", "buffer"}, 2.0f / 255.0f, 0.99},
           {"ShadowRays", property::rayPath(), 2.0f / 255.0f, 0.99},
           {"MapChunked", property::mapPath("chunked"), 6.0f / 255.0f, 0.97},
-          {"MapAtlas", property::mapPath("atlas"), 6.0f / 255.0f, 0.97}};
+          {"MapAtlas", property::mapPath("atlas"), 6.0f / 255.0f, 0.97},
+          {"MapExact", property::mapPath("exact"), 6.0f / 255.0f, 0.97},
+          {"MapTiled", property::mapPath("tiled"), 6.0f / 255.0f, 0.97}};
 }
 
 Image referenceImage(const Scene& scene) {

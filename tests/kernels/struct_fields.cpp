@@ -81,10 +81,9 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
 
     CDSM_BEGIN(BuildParams) F(view) F(tolerance) F(interiorStep) F(mapIndex) F(padding) CDSM_END CDSM_BEGIN(ShadeParams)
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) CDSM_END CDSM_BEGIN(QueryParams)
-            F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(chunkCapacity) F(padding0)
-                F(padding1) F(padding2) CDSM_END CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount)
-                    F(nodeCount) F(texelBias) CDSM_END
-
+            F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity) F(firstNode)
+                F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
+    CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) CDSM_END
     CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen)
         F(nodes) F(map) F(checker) CDSM_END
 
@@ -96,8 +95,8 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
         F(padding0) F(padding1) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin) F(originU)
             F(originV) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode) F(nearDepth)
-                F(face) F(padding0) F(padding1) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes) F(padding0)
-                    F(padding1) CDSM_END
+                F(face) F(wideTable) F(padding) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes) F(maxTileNodes)
+                    F(unfilledTiles) F(nodesLow) F(nodesHigh) F(roomLow) F(roomHigh) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
         F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(padding0) F(padding1) CDSM_END

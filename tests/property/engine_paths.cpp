@@ -44,7 +44,7 @@ std::vector<Path> allPaths() {
   std::vector<Path> paths;
   for (const char* fetch : {"buffer", "image"}) {
     paths.push_back({"shadow-rays", "chunked", "bilinear", fetch});
-    for (const char* memory : {"atlas", "chunked"}) {
+    for (const char* memory : {"atlas", "chunked", "exact", "tiled"}) {
       for (const char* filter : {"nearest", "bilinear"}) paths.push_back({"deep-shadow-map", memory, filter, fetch});
     }
   }

@@ -65,9 +65,10 @@ void expectFalling(const std::vector<Transmittance>& result, double slack) {
 
 TEST_P(Laws, visibilityStartsAtOneAndNeverRises) {
   // Single precision moves the point across the ray: nearest does not see that, bilinear by its weights.
-  const std::vector<std::pair<Path, double>> paths{{mapPath("chunked", "nearest"), 1e-5},
-                                                   {mapPath("atlas", "nearest"), 1e-5},
-                                                   {mapPath("chunked", "bilinear"), 5e-4}};
+  const std::vector<std::pair<Path, double>> paths{
+      {mapPath("chunked", "nearest"), 1e-5}, {mapPath("atlas", "nearest"), 1e-5},
+      {mapPath("exact", "nearest"), 1e-5},   {mapPath("tiled", "nearest"), 1e-5},
+      {mapPath("fixed", "nearest"), 1e-5},   {mapPath("chunked", "bilinear"), 5e-4}};
   for (const auto& [path, slack] : paths) {
     SCOPED_TRACE("seed " + std::to_string(seed_) + ", " + path.name());
     const Scene scene = along(path, scene_, kMapSize, kTolerance);
@@ -78,14 +79,16 @@ TEST_P(Laws, visibilityStartsAtOneAndNeverRises) {
   }
 }
 
-TEST_P(Laws, atlasEqualsChunked) {
+TEST_P(Laws, memoryDoesNotMatter) {
   const std::vector<glm::vec3> points = randomPoints(seed_, 2000);
   for (const char* filter : {"nearest", "bilinear"}) {
-    const Path atlas = mapPath("atlas", filter);
     const Path chunked = mapPath("chunked", filter);
-    const auto a = query(atlas, along(atlas, scene_, kMapSize, kTolerance), points);
-    const auto b = query(chunked, along(chunked, scene_, kMapSize, kTolerance), points);
-    EXPECT_LE(largestDifference(a, b), 1e-5) << "seed " << seed_ << ", " << filter;
+    const auto expected = query(chunked, along(chunked, scene_, kMapSize, kTolerance), points);
+    for (const char* memory : {"atlas", "exact", "tiled"}) {
+      const Path path = mapPath(memory, filter);
+      const auto found = query(path, along(path, scene_, kMapSize, kTolerance), points);
+      EXPECT_LE(largestDifference(found, expected), 1e-5) << "seed " << seed_ << ", " << path.name();
+    }
   }
 }
 
@@ -130,7 +133,7 @@ TEST_P(Laws, orderOfTheInputDoesNotMatter) {
   const Scene ordered = sceneOfTwoVolumes(seed_);
   const Scene mixed = shuffledScene(ordered, random);
   const std::vector<glm::vec3> points = randomPoints(seed_, 2000);
-  for (const Path& path : {mapPath("chunked"), mapPath("atlas"), rayPath()}) {
+  for (const Path& path : {mapPath("chunked"), mapPath("atlas"), mapPath("exact"), mapPath("tiled"), rayPath()}) {
     const auto a = query(path, along(path, ordered, kMapSize, kTolerance), points);
     const auto b = query(path, along(path, mixed, kMapSize, kTolerance), points);
     EXPECT_LE(largestDifference(a, b), 1e-5) << "seed " << seed_ << ", " << path.name();
@@ -185,7 +188,7 @@ Scene smoothScene() {
 TEST(Fetch, buffersEqualImages) {
   if (!canFetch("image")) GTEST_SKIP() << "the device has no images";
   const std::vector<glm::vec3> points = randomPoints(1, 2000);
-  for (Path path : {mapPath("chunked"), mapPath("atlas"), rayPath()}) {
+  for (Path path : {mapPath("chunked"), mapPath("atlas"), mapPath("exact"), mapPath("tiled"), rayPath()}) {
     const Scene scene = along(path, smoothScene(), kMapSize, 5e-4f);
     const auto buffers = query(path, scene, points);
     path.fetch = "image";
@@ -204,7 +207,8 @@ bool sameAnswers(const std::vector<Transmittance>& a, const std::vector<Transmit
 
 TEST(Repetition, givesTheSameBytes) {
   const std::vector<glm::vec3> points = randomPoints(5, 2000);
-  for (const Path& path : {mapPath("chunked"), mapPath("atlas"), rayPath()}) {
+  for (const Path& path :
+       {mapPath("chunked"), mapPath("atlas"), mapPath("exact"), mapPath("tiled"), mapPath("fixed"), rayPath()}) {
     const Scene scene = along(path, randomScene(5), kMapSize, kTolerance);
     const auto first = query(path, scene, points);
     const Image image = engineOf(path.fetch).render(scene);

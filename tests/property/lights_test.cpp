@@ -53,7 +53,7 @@ TEST(Omni, hasNoSeamsBetweenItsMaps) {
   const Scene scene = softScene();
   const std::vector<glm::vec3> points = acrossBorders(scene.lights.front().position);
   const reference::World world(scene);
-  for (const char* memory : {"chunked", "atlas"}) {
+  for (const char* memory : {"chunked", "atlas", "exact", "tiled"}) {
     const Path path = mapPath(memory);
     const std::vector<Transmittance> result = query(path, along(path, scene, kMapSize, kTolerance), points);
     double largest = 0.0, sum = 0.0;
@@ -86,7 +86,7 @@ TEST(Lights, ofAllTypesDoNotMix) {
   reference::Random random(9);
   std::vector<glm::vec3> points;
   for (int i = 0; i < 500; ++i) points.push_back(static_cast<float>(random.uniform(0.0, 2.5)) * random.direction());
-  for (const Path& path : {mapPath("chunked"), mapPath("atlas"), rayPath()}) {
+  for (const Path& path : {mapPath("chunked"), mapPath("atlas"), mapPath("exact"), mapPath("tiled"), rayPath()}) {
     for (const Light& light : mixed.lights) {
       Scene alone = mixed;
       alone.lights = {light};

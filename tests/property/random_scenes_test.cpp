@@ -75,7 +75,8 @@ void expectExact(const Path& path, const Scene& scene, const Light& light, const
   }
 }
 
-const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest")};
+const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest"),
+                               mapPath("exact", "bilinear"), mapPath("tiled", "nearest")};
 const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 2), mapPath("atlas", "nearest", 4),
                                       mapPath("chunked", "bilinear", 8)};
 

@@ -21,7 +21,7 @@ constexpr float kOpacity = 0.25f;    ///< of one crossing of the box's surface
 constexpr float kExtinction = 0.5f;  ///< of what fills the box
 constexpr double kSigma = 0.693147;  ///< of the volume: opacity 0.5 per unit
 
-const std::vector<Path> kPaths{rayPath(), mapPath("chunked"), mapPath("atlas")};
+const std::vector<Path> kPaths{rayPath(), mapPath("chunked"), mapPath("atlas"), mapPath("exact"), mapPath("tiled")};
 
 /// A filled, translucent box, 1 high around the origin, that cuts a volume twice as high.
 Scene cutScene(bool meshCasts, bool volumeCasts) {

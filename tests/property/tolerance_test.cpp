@@ -129,7 +129,7 @@ TEST_P(Tolerance, boundsTheCompression) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, Tolerance,
-                         ::testing::Combine(::testing::Values("atlas", "chunked"),
+                         ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
                                             ::testing::Values(0.0f, 0.002f, 0.01f, 0.05f),
                                             ::testing::Values(LightType::Spot)));
 

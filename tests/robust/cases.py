@@ -125,6 +125,8 @@ GOOD_RUNS = [
     Case("a directional light", "", RENDER, {"scene.toml": directional(b"[0, -1, 0]")}, 0, ("out.png",)),
     works("objects that cast and receive nothing", RENDER + ["--set", "mesh.cup.casts_shadow=false"]
           + ["--set", "volume.smoke.receives_shadow=false", "--set", "mesh.cup.cluster_weight=1000"], ("out.png",)),
+    works("two nodes per texel", RENDER + ["--set", "shadows.memory=fixed", "--set", "shadows.max_nodes=2"],
+          ("out.png", "stats.json")),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
 ]
 
@@ -175,6 +177,11 @@ SCENES = [
         "mesh 'cup' has 3 open edges", b"closed.obj\"", b"open.obj\"\ninterior_extinction = 1",
     ),
     scene("transform without inverse", "cannot be inverted", b"closed.obj\"", b"closed.obj\"\nscale = 1e-30"),
+    settings("unknown memory strategy", "memory is 'exakt', must be", "shadows.memory=exakt"),
+    settings("too few nodes", "max_nodes is 1, must be in [2, 256] nodes", "shadows.max_nodes=1"),
+    settings("too many nodes", "max_nodes is 257, must be in [2, 256] nodes", "shadows.max_nodes=257"),
+    settings("part of a node", "max_nodes is", "shadows.max_nodes=2.5"),
+    settings("nodes as a word", "max_nodes is a string", "shadows.max_nodes=many"),
     settings("too many clusters", "clusters is 65, must be in [1, 64]", "shadows.clusters=65"),
     settings("cluster distance of 0", "cluster_distance is 0, must be in (0, 2.83]", "shadows.cluster_distance=0"),
     settings("cluster distance with a NaN", "cluster_distance is nan", "shadows.cluster_distance=nan"),
@@ -328,7 +335,6 @@ LATER = [
     for value in (
         "shadows.technique=shadow-map",
         "shadows.technique=stochastic",
-        "shadows.memory=tiled",
         "shadows.transmittance=rgb",
         "shadows.cache=volume",
         "material.glass.transmission=[0.0, 1.0, 0.0]",

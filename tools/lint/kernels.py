@@ -38,9 +38,10 @@ def files_with(folder, text):
 CHOICES = {
     "CDSM_TECHNIQUE": files_with("technique", "lightTransmittancePoint("),
     "CDSM_MARCH": files_with("build", "void beginMarch("),
-    "CDSM_MEMORY": files_with("memory", "beginNodes("),
+    "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
     "CDSM_BATCH": ["4", "8"],
+    "CDSM_TILE_CHUNKS": ["120"],
     "CDSM_FETCH_IMAGE": [None, "1"],
     SLOTS_FILE: SLOTS,
 }

@@ -34,6 +34,7 @@ struct ImageSettings {
 struct ShadowSettings {
   std::string technique = "deep-shadow-map";
   std::string memory = "chunked";
+  int maxNodes = 16;                      ///< memory "fixed": nodes per texel, in [2, 256]
   int mapSize = 512;                      ///< texels per side
   float tolerance = 0.01f;                ///< epsilon of the compression, in opacity, in [0, 1)
   std::string toleranceMode = "samples";  ///< samples | everywhere: where V' is within the tolerance

@@ -39,6 +39,7 @@ struct MemoryStats {
   double tolerance = 0.0;          ///< that the maps were built at: larger than asked for if they were coarsened
   std::uint64_t limit = 0;         ///< bytes that bytesReserved may not exceed; 0: none
   double bytesPerNode = 0.0;       ///< of a node itself, without bookkeeping
+  double mergeError = 0.0;  ///< strategy "fixed" alone: no visibility function moved by more when nodes were merged
 };
 
 /// One launch of a kernel, by its human name.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/variant.hpp"
 
+#include "memory/tile_strategy.hpp"
+
 namespace cdsm::build {
 
 const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,
                                 Defines parts) {
   // CPUs want vectors as wide as their registers, GPUs few registers per work item
   parts.emplace_back("CDSM_BATCH", device.isCpu() ? "8" : "4");
+  parts.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device)));
   if (device.fetchImages()) parts.emplace_back("CDSM_FETCH_IMAGE", "1");
   return device.programs().get({entry, parts, {{"generated/volume_slots.clh", scene.slots().kernelFile()}}});
 }

@@ -24,8 +24,8 @@ std::optional<std::string> readEmbedded(const std::string& path) {
   return std::nullopt;
 }
 
-std::optional<std::string> readFromFolder(const std::string& folder, const std::string& path) {
-  std::ifstream file(folder + "/" + path, std::ios::binary);
+std::optional<std::string> readFromDisk(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
@@ -33,8 +33,9 @@ std::optional<std::string> readFromFolder(const std::string& folder, const std::
 std::optional<std::string> readKernelFile(const ProgramSource& source, const std::string& path) {
   const auto generated = source.generated.find(path);
   if (generated != source.generated.end()) return generated->second;
+  if (!path.empty() && path.front() == '/') return readFromDisk(path);
   const char* folder = std::getenv("CDSM_KERNELS");
-  return folder && *folder ? readFromFolder(folder, path) : readEmbedded(path);
+  return folder && *folder ? readFromDisk(std::string(folder) + "/" + path) : readEmbedded(path);
 }
 
 bool isQuoted(const std::string& value) { return value.size() >= 2 && value.front() == '"' && value.back() == '"'; }

@@ -11,7 +11,7 @@
 namespace cdsm::device {
 
 struct ProgramSource {
-  std::string entry;  ///< path relative to kernels/, e.g. "build/build_map.cl"; may be a generated file
+  std::string entry;  ///< path relative to kernels/, e.g. "build/build_map.cl"; may be a generated file or absolute
   /// NAME, value. A value in quotes is a path for `#include NAME`; others become `#define NAME value`, an empty one 1.
   std::vector<std::pair<std::string, std::string>> defines;
   std::map<std::string, std::string> generated;  ///< path, text: files that exist in no folder; they win over others
@@ -19,8 +19,8 @@ struct ProgramSource {
 
 /// The text with each `#include "path"` (relative to kernels/) and `#include NAME` replaced by that file, each file
 /// once, and `#pragma once` dropped. `#include <...>` stays. Only lines that start with the directive are seen, and
-/// they are seen inside #if, too. Files come from `generated`, then from the folder CDSM_KERNELS if that is set, else
-/// from the library. Throws Error with file and line for what cannot be found.
+/// they are seen inside #if, too. An absolute path is read from disk; other files come from `generated`, then from the
+/// folder CDSM_KERNELS if that is set, else from the library. Throws Error with file and line for what cannot be found.
 std::string joinSource(const ProgramSource& source);
 
 }  // namespace cdsm::device

@@ -74,8 +74,9 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   const std::optional<Scene> before = std::exchange(current_, std::nullopt);
   const bool objects = before && scene::sameObjects(*before, scene);
   if (!objects) uploadObjects(scene);
-  const bool technique =
-      before && before->shadows.technique == scene.shadows.technique && before->shadows.memory == scene.shadows.memory;
+  const bool technique = before && before->shadows.technique == scene.shadows.technique &&
+                         before->shadows.memory == scene.shadows.memory &&
+                         before->shadows.maxNodes == scene.shadows.maxNodes;
   if (!technique) {
     technique_.reset();
     technique_ = technique::makeTechnique(scene.shadows, *device_);

@@ -47,6 +47,7 @@ Json memoryJson(const MemoryStats& memory) {
           {"chunks_used", memory.chunksUsed},
           {"chunks_wasted", memory.chunksWasted},
           {"bytes_per_node", memory.bytesPerNode},
+          {"merge_error", memory.mergeError},
           {"tolerance", fewestDigits(float(memory.tolerance))},
           {"limit", memory.limit}};
 }
@@ -86,6 +87,7 @@ Json frameJson(const FrameStats& frame) {
 Json settingsJson(const ShadowSettings& shadows) {
   return {{"technique", shadows.technique},
           {"memory", shadows.memory},
+          {"max_nodes", shadows.maxNodes},
           {"map_size", shadows.mapSize},
           {"tolerance", fewestDigits(shadows.tolerance)},
           {"tolerance_mode", shadows.toleranceMode},

@@ -21,6 +21,7 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
     {"shadows",
      {{"technique", KeyShape::Text},
       {"memory", KeyShape::Text},
+      {"max_nodes", KeyShape::Integer},
       {"map_size", KeyShape::Integer},
       {"tolerance", KeyShape::Number},
       {"tolerance_mode", KeyShape::Text},

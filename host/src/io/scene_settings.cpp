@@ -13,7 +13,7 @@ namespace cdsm::io {
 namespace {
 
 const Choices kTechniques{{"none", "shadow-rays", "deep-shadow-map"}, {"shadow-map", "stochastic", "implicit-sphere"}};
-const Choices kMemories{{"atlas", "chunked"}, {"exact", "tiled", "fixed"}};
+const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
 const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};
@@ -60,6 +60,7 @@ ShadowSettings readShadows(const toml::table& table) {
   ShadowSettings shadows;
   shadows.technique = reader.choice("technique", shadows.technique, kTechniques);
   shadows.memory = reader.choice("memory", shadows.memory, kMemories);
+  shadows.maxNodes = reader.integer("max_nodes", shadows.maxNodes, scene::kMaxNodes);
   shadows.mapSize = reader.integer("map_size", shadows.mapSize, scene::kMapSize);
   shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
   shadows.toleranceMode = reader.choice("tolerance_mode", shadows.toleranceMode, kToleranceModes);

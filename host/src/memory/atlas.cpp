@@ -51,7 +51,7 @@ void Atlas::moveNodes(const std::vector<Place>& before, const std::vector<int>& 
     nodes_ = {};
     counts_ = {};
   }
-  device::Buffer<shared::float2> moved(device_, nodes, "atlas of nodes");
+  NodeBuffer moved(device_, nodes, "atlas of nodes");
   device::Buffer<std::uint32_t> counts(device_, texels * placed_.size(), "nodes per texel");
   const std::size_t layers = std::size_t(std::min(sizeBefore.z, size_.z)) / 2;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -122,9 +122,9 @@ MemoryStats Atlas::stats() const {
   stats.strategy = "atlas";
   stats.bytesReserved = nodes_.bytes() + counts_.bytes();
   stats.bytesUsed = counts_.bytes();
-  for (const Place& map : placed_) stats.bytesUsed += map.nodes.total * sizeof(shared::float2);
+  for (const Place& map : placed_) stats.bytesUsed += map.nodes.total * sizeof(StoredNode);
   stats.bytesWasted = stats.bytesReserved - stats.bytesUsed;
-  stats.bytesPerNode = sizeof(shared::float2);
+  stats.bytesPerNode = sizeof(StoredNode);
   return stats;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "memory/memory_strategy.hpp"
-#include "memory/node_texture.hpp"
+#include "memory/node_pool.hpp"
 
 namespace cdsm::memory {
 
@@ -40,7 +40,7 @@ class Atlas : public MemoryStrategy {
   int side_ = 1;         ///< texels of each map
   shared::int4 size_{};  ///< texels along x and y, layers of one map, layers of all
   std::vector<Place> placed_;
-  device::Buffer<shared::float2> nodes_;
+  NodeBuffer nodes_;
   device::Buffer<std::uint32_t> counts_;
   device::Buffer<shared::BuildCounters> counters_;
   ReadablePool readable_;

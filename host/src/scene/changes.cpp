@@ -89,7 +89,7 @@ LightChange lightChange(const Light& a, const Light& b) {
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
   const auto settings = [](const ShadowSettings& s) {
-    return std::tie(s.technique, s.memory, s.mapSize, s.tolerance, s.toleranceMode, s.step, s.memoryLimitMb,
+    return std::tie(s.technique, s.memory, s.maxNodes, s.mapSize, s.tolerance, s.toleranceMode, s.step, s.memoryLimitMb,
                     s.onOverflow);
   };
   return settings(a) == settings(b);

@@ -32,6 +32,7 @@ inline constexpr Range kFov{0.0, 180.0, true, true, "degrees"};
 inline constexpr Range kCutoff{0.0, 90.0, true, true, "degrees"};
 inline constexpr Range kImageSide{1, 16384, false, false, "pixels"};
 inline constexpr Range kMapSize{8, 16384, false, false, "texels"};
+inline constexpr Range kMaxNodes{2, 256, false, false, "nodes"};
 inline constexpr Range kSupersampling{1, 8};
 inline constexpr Range kTolerance{0.0, 1.0, false, true};
 /// With tolerance mode "everywhere": single precision could not keep less.

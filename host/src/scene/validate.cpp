@@ -101,6 +101,7 @@ void validateImage(const ImageSettings& image) {
 
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
+  requireRange(shadows.maxNodes, kMaxNodes, "shadows max_nodes");
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
   if (shadows.toleranceMode == "everywhere")
     requireRange(shadows.tolerance, kToleranceEverywhere, "shadows tolerance with tolerance_mode everywhere");

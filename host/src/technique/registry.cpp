@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "technique/registry.hpp"
 
-#include <functional>
-
 #include "memory/atlas.hpp"
 #include "memory/chunked.hpp"
+#include "memory/exact.hpp"
+#include "memory/fixed.hpp"
+#include "memory/tiled.hpp"
 #include "technique/deep_shadow_map.hpp"
 #include "technique/none.hpp"
 #include "technique/shadow_rays.hpp"
@@ -13,43 +14,55 @@ namespace cdsm::technique {
 
 namespace {
 
-template <class Made, class... Args>
+template <class Made>
 struct Entry {
-  const char* name;
-  std::function<std::unique_ptr<Made>(Args...)> make;
+  std::string name;
+  Factory<Made> make;
 };
 
-using MemoryEntry = Entry<memory::MemoryStrategy, device::Device&>;
-using TechniqueEntry = Entry<ShadowTechnique, const ShadowSettings&, device::Device&>;
+std::vector<Entry<memory::MemoryStrategy>>& memories() {
+  static std::vector<Entry<memory::MemoryStrategy>> list{
+      {"chunked", [](auto&, auto& device) { return std::make_unique<memory::Chunked>(device); }},
+      {"atlas", [](auto&, auto& device) { return std::make_unique<memory::Atlas>(device); }},
+      {"exact", [](auto&, auto& device) { return std::make_unique<memory::Exact>(device); }},
+      {"tiled", [](auto&, auto& device) { return std::make_unique<memory::Tiled>(device); }},
+      {"fixed",
+       [](auto& settings, auto& device) { return std::make_unique<memory::Fixed>(device, settings.maxNodes); }},
+  };
+  return list;
+}
 
-const MemoryEntry kMemories[] = {
-    {"chunked", [](device::Device& device) { return std::make_unique<memory::Chunked>(device); }},
-    {"atlas", [](device::Device& device) { return std::make_unique<memory::Atlas>(device); }},
-};
-
-template <std::size_t Count, class E>
-const E& find(const E (&entries)[Count], const std::string& name, const char* what) {
+template <class Made>
+const Entry<Made>& find(const std::vector<Entry<Made>>& entries, const std::string& name, const char* what) {
   std::string known;
-  for (const E& entry : entries) {
+  for (const Entry<Made>& entry : entries) {
     if (name == entry.name) return entry;
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+    known += (known.empty() ? "" : ", ") + entry.name;
   }
   throw Error("there is no " + std::string(what) + " '" + name + "'; known: " + known);
 }
 
-const TechniqueEntry kTechniques[] = {
-    {"none", [](const ShadowSettings&, device::Device&) { return std::make_unique<None>(); }},
-    {"shadow-rays", [](const ShadowSettings&, device::Device& device) { return std::make_unique<ShadowRays>(device); }},
-    {"deep-shadow-map",
-     [](const ShadowSettings& settings, device::Device& device) {
-       return std::make_unique<DeepShadowMap>(device, find(kMemories, settings.memory, "memory strategy").make(device));
-     }},
-};
+const std::vector<Entry<ShadowTechnique>>& techniques() {
+  static const std::vector<Entry<ShadowTechnique>> list{
+      {"none", [](auto&, auto&) { return std::make_unique<None>(); }},
+      {"shadow-rays", [](auto&, auto& device) { return std::make_unique<ShadowRays>(device); }},
+      {"deep-shadow-map",
+       [](auto& settings, auto& device) {
+         return std::make_unique<DeepShadowMap>(
+             device, find(memories(), settings.memory, "memory strategy").make(settings, device));
+       }},
+  };
+  return list;
+}
 
 }  // namespace
 
 std::unique_ptr<ShadowTechnique> makeTechnique(const ShadowSettings& settings, device::Device& device) {
-  return find(kTechniques, settings.technique, "shadow technique").make(settings, device);
+  return find(techniques(), settings.technique, "shadow technique").make(settings, device);
+}
+
+void addMemoryStrategy(const std::string& name, Factory<memory::MemoryStrategy> make) {
+  memories().push_back({name, std::move(make)});
 }
 
 }  // namespace cdsm::technique

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "memory/node_texture.hpp"
+#include "memory/node_pool.hpp"
 
 namespace cdsm::memory {
 
@@ -15,7 +15,11 @@ std::size_t poolSize(const device::Device& device, std::size_t count) {
   return std::max<std::size_t>(1, (count + kNodesPerRow - 1) / kNodesPerRow) * kNodesPerRow;
 }
 
-void ReadablePool::finish(device::Device& device, const device::Buffer<shared::float2>& pool) {
+std::size_t poolSizeOfRuns(const device::Device& device, std::size_t count) {
+  return poolSize(device, count + kGuardNodes);
+}
+
+void ReadablePool::finish(device::Device& device, const NodeBuffer& pool) {
   if (!device.fetchImages()) {
     argument_ = pool.cl();
     return;
