@@ -8,6 +8,7 @@
 #include <random>
 
 #include "engine_paths.hpp"
+#include "frames.hpp"
 #include "io/points_file.hpp"
 #include "io/scene_file.hpp"
 
@@ -28,11 +29,6 @@ Scene stillScene(int frame) {
   return io::readScene(fileOf("slab.toml"),
                        {"camera.fov=" + std::to_string(41 + frame), "light.key.position=[" + x + ", 4.0, " + z + "]",
                         "volume.slab.opacity=[[0.0, " + std::to_string(opacity) + "]]"});
-}
-
-bool sameBytes(const Image& a, const Image& b) {
-  return a.width == b.width && a.height == b.height && a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(glm::vec4)) == 0;
 }
 
 TEST(Animation, IsTheStillSceneAtEachFrameInAnyOrder) {

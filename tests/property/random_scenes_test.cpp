@@ -77,8 +77,7 @@ void expectExact(const Path& path, const Scene& scene, const Light& light, const
 
 const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest"),
                                mapPath("exact", "bilinear"), mapPath("tiled", "nearest")};
-const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 2), mapPath("atlas", "nearest", 4),
-                                      mapPath("chunked", "bilinear", 8)};
+const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 8), mapPath("chunked", "nearest", 2)};
 
 class RandomScenes : public ::testing::TestWithParam<std::uint32_t> {};
 
@@ -112,16 +111,13 @@ TEST_P(RandomScenes, agreeWithBruteForceWhateverCasts) {
   expectBruteForce(scene, GetParam(), kPaths);
 }
 
-/// Lights of all types, their casters in clusters.
+/// A spot light and parallel light, their casters in clusters.
 TEST_P(RandomScenes, agreeWithBruteForceInClusters) {
   if (GetParam() > 1) GTEST_SKIP() << "many maps take their time";
   Scene scene = reference::randomScene(GetParam());
   scene.shadows.clusterDistance = 0.1f;
-  scene.lights.resize(1);
-  for (Light light : reference::otherLights(GetParam())) {
-    light.name = light.type == LightType::Omni ? "lamp" : "sun";
-    scene.lights.push_back(light);
-  }
+  scene.lights = {scene.lights.front(), reference::otherLights(GetParam()).back()};
+  scene.lights.back().name = "sun";
   expectBruteForce(scene, GetParam(), kClusterPaths);
 }
 

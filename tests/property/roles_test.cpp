@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine_paths.hpp"
+#include "frames.hpp"
 #include "reference/test_scenes.hpp"
 
 namespace cdsm::property {
@@ -86,15 +87,6 @@ Image render(const Path& path, const Scene& scene) {
   return engineOf(path.fetch).render(along(path, scene, kMapSize, kTolerance));
 }
 
-float pictureDifference(const Image& a, const Image& b) {
-  float largest = a.pixels.size() == b.pixels.size() ? 0.0f : INFINITY;
-  for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
-    const glm::vec4 difference = glm::abs(a.pixels[i] - b.pixels[i]);
-    largest = std::max({largest, difference.x, difference.y, difference.z, difference.w});
-  }
-  return largest;
-}
-
 TEST(Roles, withoutReceiversOrCastersThereIsNoShadow) {
   Scene lit = reference::randomScene(5);
   const std::vector<Light> others = reference::otherLights(5);
@@ -104,9 +96,9 @@ TEST(Roles, withoutReceiversOrCastersThereIsNoShadow) {
   for (ShadowRole* role : rolesOf(noReceivers)) role->receives = false;
   for (ShadowRole* role : rolesOf(noCasters)) role->casts = false;
   for (const Path& path : kPaths) {
-    EXPECT_GT(pictureDifference(render(path, lit), expected), 0.05f) << path.name();
-    EXPECT_LE(pictureDifference(render(path, noReceivers), expected), 1e-5f) << path.name();
-    EXPECT_LE(pictureDifference(render(path, noCasters), expected), 1e-5f) << path.name();
+    EXPECT_GT(largestStep(render(path, lit), expected), 0.05f) << path.name();
+    EXPECT_LE(largestStep(render(path, noReceivers), expected), 1e-5f) << path.name();
+    EXPECT_LE(largestStep(render(path, noCasters), expected), 1e-5f) << path.name();
   }
 }
 
@@ -131,12 +123,12 @@ TEST(Roles, mayChangeFromFrameToFrame) {
     for (std::size_t i = 0; i < 2; ++i) {
       Scene changed = scene;
       rolesOf(changed)[i]->receives = false;
-      EXPECT_GT(pictureDifference(render(path, changed), before), 0.02f) << path.name() << ", object " << i;
-      EXPECT_EQ(pictureDifference(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
+      EXPECT_GT(largestStep(render(path, changed), before), 0.02f) << path.name() << ", object " << i;
+      EXPECT_EQ(largestStep(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
       changed = scene;
       rolesOf(changed)[i]->casts = false;
-      EXPECT_GT(pictureDifference(render(path, changed), before), 0.02f) << path.name() << ", object " << i;
-      EXPECT_EQ(pictureDifference(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
+      EXPECT_GT(largestStep(render(path, changed), before), 0.02f) << path.name() << ", object " << i;
+      EXPECT_EQ(largestStep(render(path, scene), before), 0.0f) << path.name() << ", object " << i;
     }
   }
 }
