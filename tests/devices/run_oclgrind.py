@@ -17,11 +17,14 @@ import job
 TIMEOUT_SECONDS = 240
 FORCED_INLINE = "static inline __attribute__((always_inline))"
 
-# file, what stands there (a pattern), what is planted instead, what oclgrind says to it
+# file, what stands there (a pattern), what is planted instead, what oclgrind says to it, test that runs it
 FAULTS = [
-    ("render/shade.cl", r"image\[(.+?)\] = ", r"image[(\1) + params.view.width] = ", "Invalid write"),
-    ("build/rasterize.cl", r"atomic_inc\(&tilePairs\[tile\]\);", r"++tilePairs[tile];", "race"),
-    ("build/scan.cl", r"sums\[count\] = sum", r"sums[count + 1] = sum", "Invalid write"),
+    ("render/shade.cl", r"image\[(.+?)\] = ", r"image[(\1) + params.view.width] = ", "Invalid write",
+     "volumesWithoutShadows"),
+    ("build/rasterize.cl", r"atomic_inc\(&tilePairs\[tile\]\);", r"++tilePairs[tile];", "race", "volumesWithoutShadows"),
+    ("build/scan.cl", r"sums\[count\] = sum", r"sums[count + 1] = sum", "Invalid write", "volumesWithoutShadows"),
+    ("memory/tile_writer.clh", r"(reserveTile\(tile, shared, CDSM_MEMORY_WRITE_ARGS\);\n)  barrier\(.+\);", r"\1", "race",
+     "volumesInExactMaps"),
 ]
 
 
@@ -70,7 +73,7 @@ def check_planted(tests, kernels, work):
         folder.mkdir()
         copy_kernels(kernels, folder / "kernels")
         plant(folder / "kernels", fault)
-        found = findings(tests, folder / "kernels", folder, "*TinyEngine.volumesWithoutShadows/buffer")
+        found = findings(tests, folder / "kernels", folder, f"*TinyEngine.{fault[4]}/buffer")
         if fault[3] not in found:
             job.fail(f"'{fault[2]}' in {fault[0]} was not found; oclgrind reports:\n" + found[:4000])
         print(f"found: {fault[2]} in {fault[0]}")

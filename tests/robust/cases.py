@@ -177,7 +177,7 @@ SCENES = [
         "mesh 'cup' has 3 open edges", b"closed.obj\"", b"open.obj\"\ninterior_extinction = 1",
     ),
     scene("transform without inverse", "cannot be inverted", b"closed.obj\"", b"closed.obj\"\nscale = 1e-30"),
-    settings("unknown memory strategy", "memory is 'exakt', must be", "shadows.memory=exakt"),
+    settings("unknown memory strategy", "unknown memory 'exakt', did you mean 'exact'?", "shadows.memory=exakt"),
     settings("too few nodes", "max_nodes is 1, must be in [2, 256] nodes", "shadows.max_nodes=1"),
     settings("too many nodes", "max_nodes is 257, must be in [2, 256] nodes", "shadows.max_nodes=257"),
     settings("part of a node", "max_nodes is", "shadows.max_nodes=2.5"),

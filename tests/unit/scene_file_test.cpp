@@ -313,7 +313,6 @@ TEST_F(SceneFile, RefusesKeysOfOtherTypesOfLights) {
 TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
   expectComplaints({
       {"[shadows]\ntechnique = 'shadow-map'\n", "scene.toml:2:13: technique 'shadow-map' is not supported yet"},
-      {"[shadows]\nmemory = 'tiled'\n", "scene.toml:2:10: memory 'tiled' is not supported yet"},
       {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
       {"[shadows]\ncache = 'volume'\n", "scene.toml:2:9: cache 'volume' is not supported yet"},
       {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},
