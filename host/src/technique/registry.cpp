@@ -42,7 +42,8 @@ const TechniqueEntry kTechniques[] = {
     {"shadow-rays", [](const ShadowSettings&, device::Device& device) { return std::make_unique<ShadowRays>(device); }},
     {"deep-shadow-map",
      [](const ShadowSettings& settings, device::Device& device) {
-       return std::make_unique<DeepShadowMap>(device, find(kMemories, settings.memory, "memory strategy").make(device));
+       const MemoryEntry& memory = find(kMemories, settings.memory, "memory strategy");
+       return std::make_unique<DeepShadowMap>(device, [&memory, &device] { return memory.make(device); });
      }},
 };
 
