@@ -26,6 +26,20 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   EXPECT_EQ(settings.at("stable"), true);
   EXPECT_EQ(settings.at("step"), 0.0);
   EXPECT_EQ(settings.at("bias"), 0.0);
+  EXPECT_EQ(settings.at("tolerance_mode"), "samples");
+  EXPECT_EQ(settings.at("memory_limit_mb"), 0.0);
+  EXPECT_EQ(settings.at("on_overflow"), "error");
+}
+
+TEST(StatsJson, ShowsTheToleranceOfCoarsenedMaps) {
+  FrameStats frame;
+  frame.memory.tolerance = 0.02f;
+  frame.memory.limit = 1048576;
+  frame.warnings = {"coarsened"};
+  const auto shown = nlohmann::json::parse(statsJson({}, {}, {frame})).at("frames").at(0);
+  EXPECT_EQ(shown.at("memory").at("tolerance"), 0.02);
+  EXPECT_EQ(shown.at("memory").at("limit"), 1048576);
+  EXPECT_EQ(shown.at("warnings").at(0), "coarsened");
 }
 
 TEST(StatsJson, NamesADebugPictureAndItsScale) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "cluster/light_camera.hpp"
 #include "scene/range.hpp"
@@ -17,8 +18,8 @@ constexpr float kTexelBias = 0.5f;
 
 }  // namespace
 
-DeepShadowMap::DeepShadowMap(device::Device& device, std::unique_ptr<memory::MemoryStrategy> memory)
-    : device_(device), memory_(std::move(memory)), pass_(device) {}
+DeepShadowMap::DeepShadowMap(device::Device& device, MakeMemory makeMemory)
+    : device_(device), makeMemory_(std::move(makeMemory)), memory_(makeMemory_()), pass_(device) {}
 
 build::Defines DeepShadowMap::kernelFiles() const {
   return {{"CDSM_TECHNIQUE", "\"technique/deep_shadow_map.clh\""},
@@ -52,12 +53,27 @@ void DeepShadowMap::buildMaps(const Preparation& to, const std::vector<build::Ma
   std::uint64_t texels = 0;
   for (const build::MapJob& job : jobs) texels += std::uint64_t(job.map.width) * job.map.height;
   budget.requireRoomFor(texels);
-  budget.fit([&](float tolerance) { return buildMapsAt(tolerance, to, jobs); });
+  bool first = true;
+  budget.fit([&](float tolerance) {
+    // only what would fit without the frames before, too, may rest on them
+    if (std::exchange(first, false) && (tolerance == builtTolerance_ || !maps_.allocated())) {
+      const bool fresh = !maps_.allocated();
+      const std::uint64_t bytes = buildMapsAt(tolerance, to, jobs);
+      if (fresh || budget.fits(bytes)) return bytes;
+    }
+    return buildAllAt(tolerance, to, jobs);
+  });
 }
 
-std::uint64_t DeepShadowMap::buildMapsAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs) {
-  if (tolerance != builtTolerance_)
-    for (build::MapJob& job : jobs) job.kept = memory::kBuildAnew;
+std::uint64_t DeepShadowMap::buildAllAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs) {
+  for (build::MapJob& job : jobs) job.kept = memory::kBuildAnew;
+  memory_.reset();
+  memory_ = makeMemory_();
+  return buildMapsAt(tolerance, to, jobs);
+}
+
+std::uint64_t DeepShadowMap::buildMapsAt(float tolerance, const Preparation& to,
+                                         const std::vector<build::MapJob>& jobs) {
   const build::MapAccuracy accuracy{tolerance, to.scene.shadows.toleranceMode == "everywhere"};
   mapData_ = pass_.run(to.deviceScene, jobs, accuracy, to.raster, *memory_, to.report);
   builtTolerance_ = tolerance;

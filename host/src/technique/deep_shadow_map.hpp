@@ -3,6 +3,7 @@
 // one map or more for each cluster of objects [Knecht 2011, §3.4].
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,7 +17,9 @@ namespace cdsm::technique {
 
 class DeepShadowMap : public ShadowTechnique {
  public:
-  DeepShadowMap(device::Device& device, std::unique_ptr<memory::MemoryStrategy> memory);
+  using MakeMemory = std::function<std::unique_ptr<memory::MemoryStrategy>()>;
+
+  DeepShadowMap(device::Device& device, MakeMemory makeMemory);
 
   build::Defines kernelFiles() const override;
   void prepare(const Preparation& to) override;
@@ -43,11 +46,14 @@ class DeepShadowMap : public ShadowTechnique {
                                       std::vector<MapCluster>& clusters);
   /// Builds what is not kept at a tolerance at which all maps fit in the memory that they may take.
   void buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs);
-  /// Bytes of the maps after building them at a tolerance; takes over none that were built at another.
-  std::uint64_t buildMapsAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs);
+  /// Bytes of the maps after building those that are not kept at a tolerance.
+  std::uint64_t buildMapsAt(float tolerance, const Preparation& to, const std::vector<build::MapJob>& jobs);
+  /// The same for all maps, in memory that knows nothing of the maps before.
+  std::uint64_t buildAllAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs);
   MapStats mapStats(const Scene& scene, const MapCluster& cluster, std::size_t view) const;
 
   device::Device& device_;
+  MakeMemory makeMemory_;
   std::unique_ptr<memory::MemoryStrategy> memory_;
   build::MapPass pass_;
   cluster::MeshShapes meshShapes_;

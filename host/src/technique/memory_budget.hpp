@@ -27,7 +27,7 @@ class MemoryBudget {
   /// Builds the maps at shadows.tolerance, or at about the smallest tolerance above it at which they fit, and returns
   /// that; throws Error with the bytes needed if they cannot fit or may not be coarsened. `build` builds all maps at a
   /// tolerance and returns their bytes. The answer depends on what it returns alone: the same tolerances are tried
-  /// whatever was built before.
+  /// whatever was built before, at most 11 builds.
   float fit(const std::function<std::uint64_t(float tolerance)>& build) const;
 
  private:

@@ -48,8 +48,9 @@ const std::vector<Entry<ShadowTechnique>>& techniques() {
       {"shadow-rays", [](auto&, auto& device) { return std::make_unique<ShadowRays>(device); }},
       {"deep-shadow-map",
        [](auto& settings, auto& device) {
-         return std::make_unique<DeepShadowMap>(
-             device, find(memories(), settings.memory, "memory strategy").make(settings, device));
+         const auto& memory = find(memories(), settings.memory, "memory strategy");
+         return std::make_unique<DeepShadowMap>(device,
+                                                [&memory, settings, &device] { return memory.make(settings, device); });
        }},
   };
   return list;
