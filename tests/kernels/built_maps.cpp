@@ -94,7 +94,7 @@ void MapBuilder::build(const std::vector<Scene>& scenes, int size, std::vector<i
     jobs.push_back({map, view, casters, kept[i]});
   }
   reports_.clear();
-  maps_ = pass_.run(onDevice, jobs, scenes.front().shadows.tolerance, raster_, *memory_,
+  maps_ = pass_.run(onDevice, jobs, {scenes.front().shadows.tolerance, false}, raster_, *memory_,
                     [this](const std::string& what) { reports_.push_back(what); });
 }
 

@@ -38,7 +38,7 @@ void Atlas::moveNodes(const std::vector<Place>& before, const std::vector<int>& 
     throw DeviceError("the atlas needs " + std::to_string(nodes) +
                       " nodes, more than 2^32; take smaller maps, a larger tolerance or another memory strategy");
   const std::size_t texels = std::size_t(side_) * side_;
-  bool inPlace = nodes_.size() == nodes && before.size() == placed_.size();
+  bool inPlace = nodes_.size() == nodes && counts_.size() == texels * placed_.size();
   bool none = true;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from[i] == kBuildAnew) continue;

@@ -20,8 +20,8 @@ constexpr double kMebibyte = 1024.0 * 1024.0;
 constexpr int kBisections = 8;
 /// Where the search begins for a tolerance of 0, which has no logarithm.
 constexpr float kFinestTolerance = 1e-4f;
-/// Each strategy has to keep at least how many nodes a texel has.
-constexpr std::uint64_t kLeastTexelBytes = 1;
+/// The least bookkeeping of any strategy is 8 bytes for a tile of 64 texels.
+constexpr std::uint64_t kTexelsPerLeastByte = 8;
 
 const char* const kMoreRoom = "take smaller maps or a higher limit";
 
@@ -47,7 +47,7 @@ void MemoryBudget::fail(std::uint64_t bytes, const char* atLeast, const std::str
 }
 
 void MemoryBudget::requireRoomFor(std::uint64_t texels) const {
-  if (!fits(texels * kLeastTexelBytes)) fail(texels * kLeastTexelBytes, "at least ", kMoreRoom);
+  if (!fits(texels / kTexelsPerLeastByte)) fail(texels / kTexelsPerLeastByte, "at least ", kMoreRoom);
 }
 
 float MemoryBudget::fit(const std::function<std::uint64_t(float tolerance)>& build) const {
