@@ -22,8 +22,8 @@ namespace {
 
 using scene::formatNumber;
 
-/// Greatest difference between a curve and its points, in a channel or in opacity: half a step of 8 bits.
-constexpr double kExactness = 1.0 / 512.0;
+/// Greatest difference between a curve and its points, in a channel of linear RGB or in opacity.
+constexpr double kExactness = 1.0 / 2048.0;
 constexpr int kMostHalvings = 8;
 
 /// A curve over 0 .. 1: a colour, or an opacity in all three channels.
@@ -57,7 +57,7 @@ glm::dvec3 linearColor(const glm::dvec3& srgb) {
   return {linearOfSrgb(srgb.r), linearOfSrgb(srgb.g), linearOfSrgb(srgb.b)};
 }
 
-/// What VTK makes of midpoint and sharpness: straight at 0, a step at 1, a Hermite curve in between. `part` is 0 .. 1
+/// What VTK makes of midpoint and sharpness: straight at 0, a Hermite curve up to nearly a step at 1. `part` is 0 .. 1
 /// of the way from one opacity to the next; so is the answer.
 double sharpened(double part, double midpoint, double sharpness) {
   const double bent = part < midpoint ? 0.5 * part / midpoint : 0.5 + 0.5 * (part - midpoint) / (1.0 - midpoint);
@@ -95,12 +95,6 @@ void addOpacities(const PresetPoints& points, const Stretch& stretch, TransferFu
     put(from.value, from.opacity);
     if (i + 1 == points.opacity.size()) break;
     const auto& to = points.opacity[i + 1];
-    const double middle = glm::mix(from.value, to.value, from.midpoint);
-    if (from.sharpness > 0.99) {
-      put(middle, from.opacity);
-      put(middle, to.opacity);
-      continue;
-    }
     const Curve curve = [&](double part) {
       return glm::dvec3(glm::mix(from.opacity, to.opacity, sharpened(part, from.midpoint, from.sharpness)));
     };

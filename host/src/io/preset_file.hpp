@@ -11,7 +11,7 @@
 
 namespace cdsm::io {
 
-/// Colours become linear RGB; between two points of the file the curve is followed to 1 / 512 of a channel. No points
+/// Colours become linear RGB; between two points of the file the curve is followed to 1 / 2048 of a channel. No points
 /// of opacity where the file says nothing of it (an XML file whose o are all 1). `range`: what the values from the
 /// first to the last colour are stretched to; nothing: values as in the file. Throws Error for anything but one preset.
 TransferFunction readPreset(const std::string& path, const std::optional<std::pair<double, double>>& range);
