@@ -120,6 +120,7 @@ TEST_F(BadFormats, DicomSeriesThatAreNoGrid) {
   expectSpoiledSlice(1, std::string("\x28\0\x10\0US\2\0\2", 9), std::string("\x28\0\x10\0US\2\0\3", 9), "another size");
   expectSpoiledSlice(1, "-150", "1e39", "not a finite");
   expectSpoiledSlice(1, std::string("1.2.3.4\0", 8), std::string("1.2.3.5\0", 8), "another series");
+  expectSpoiledSlice(1, "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.5", "nor of run lengths");
   expectSpoiledSlice(1, "MONOCHROME2 ", "RGB         ", "");
   expectSpoiledSlice(1, std::string("\x20\0\x32\0", 4), std::string("\x20\0\x31\0", 4), "no ImagePositionPatient");
 }

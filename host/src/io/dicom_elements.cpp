@@ -16,10 +16,14 @@ constexpr std::size_t kPreamble = 128;
 constexpr std::uint32_t kUndefined = 0xffffffff;
 constexpr DicomTag kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 constexpr DicomTag kSyntax = 0x00020010, kPixels = 0x7fe00010;
+/// GDCM ends the process where such pixels are damaged, and nothing else in the file tells.
+constexpr std::string_view kRunLengths = "1.2.840.10008.1.2.5";
 constexpr int kMaxDepth = 16;
 
 /// Types with a length of 32 bits, behind two bytes of nothing.
 constexpr std::string_view kLongTypes = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+/// Those that may be items up to an end mark.
+constexpr std::string_view kItemTypes = "OB OW SQ UN";
 constexpr std::string_view kShortTypes = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
 
 bool isOf(std::string_view types, std::string_view type) {
@@ -81,6 +85,7 @@ class Walker {
       if (isLong) skip(2);
       element.length = integer(isLong ? 4 : 2);
       element.sequence = type == "SQ" || (isLong && element.length == kUndefined);
+      if (element.length == kUndefined && !isOf(kItemTypes, type)) fail();
     }
     if (element.length != kUndefined && (element.length % 2 != 0 || element.length > bytes_.size() - at)) fail();
     return element;
@@ -138,9 +143,11 @@ DicomElements::DicomElements(const std::string& path) : path_(path), bytes_(read
       inHeader = false;
       const std::string syntax = text(kSyntax);
       walker.implicit = syntax == "1.2.840.10008.1.2";
-      if (syntax.empty() || syntax == "1.2.840.10008.1.2.2" || syntax == "1.2.840.10008.1.2.1.99")
-        throw Error(Location{path}, "has the transfer syntax \"" + syntax +
-                                        "\", must be little endian and not deflated as a whole (gdcmconv --raw)");
+      if (syntax.empty() || syntax == "1.2.840.10008.1.2.2" || syntax == "1.2.840.10008.1.2.1.99" ||
+          syntax == kRunLengths)
+        throw Error(Location{path},
+                    "has the transfer syntax \"" + syntax +
+                        "\", must be little endian, neither deflated as a whole nor of run lengths (gdcmconv --raw)");
     }
     const Element element = walker.element();
     if (element.tag <= last || (!inHeader && element.tag >> 16 == 2)) walker.fail();
