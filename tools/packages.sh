@@ -16,6 +16,9 @@ libimath-dev            half floats in OpenImageIO's headers
 libassimp-dev           reads OBJ, PLY, STL and glTF meshes
 libteem-dev             reads NRRD volumes
 libnifti-dev            reads NIfTI volumes
+libopenvdb-dev          reads OpenVDB volumes
+libgdcm-dev             decodes slices of DICOM series
+libpugixml-dev          reads VTK image data and XML presets
 libboost-dev            Boost.Geometry: convex hulls of the clustering
 zlib1g-dev              inflates compressed volumes
 libtomlplusplus-dev     reads scene files

@@ -5,6 +5,7 @@
 Grids: 3 x 2 x 4 voxels, voxel (x, y, z) holds x + 10 y + 100 z unless said otherwise, x fastest.
 Meshes: the cube [0, 1]^3, closed, 8 corners, 12 triangles, seen from outside counter-clockwise.
 """
+import base64
 import gzip
 import json
 import os
@@ -84,6 +85,88 @@ write("sform_i16.nii.gz", zipped(nifti("<", 4, 16, 352, b"n+1\0", qform=1, sform
 write("qform_f32_big.hdr", nifti(">", 16, 32, 0, b"ni1\0", qform=1))
 write("qform_f32_big.img", pack(">f", [value / 4 for value in GRID]))
 write("time_u8.nii", nifti("<", 2, 8, 352, b"n+1\0", dim=(4, 3, 2, 4, 2, 1, 1, 1)) + bytes(4) + pack("<B", SMALL + SMALL))
+
+
+# --- raw voxels, named by size and type ---
+write("grid_3x2x4_uint8.raw", pack("<B", SMALL))
+write("grid_3x2x4_int16.raw.gz", zipped(pack("<h", SIGNED)))
+
+
+# --- VTK image data ---
+def vti(array, data="", attributes="", image='Origin="10 20 30" Spacing="0.5 1 2"', names='Scalars="grid"'):
+    return (f'<?xml version="1.0"?>\n<VTKFile type="ImageData" version="1.0" {attributes}>\n'
+            f'  <ImageData WholeExtent="0 2 0 1 0 3" {image}>\n    <Piece Extent="0 2 0 1 0 3">\n'
+            f"      <PointData {names}>\n        {array}\n      </PointData>\n      <CellData/>\n    </Piece>\n"
+            f"  </ImageData>\n{data}</VTKFile>\n")
+
+
+def data_array(kind, form, content="", more=""):
+    return f'<DataArray type="{kind}" Name="grid" format="{form}" {more}>{content}</DataArray>'
+
+
+def counted(code, data):
+    """VTK's plain data: their number of bytes first."""
+    return struct.pack(code, len(data)) + data
+
+
+def blocks(code, data, size):
+    """VTK's compressed data: number of blocks, size, size of the last one if smaller, packed sizes; then the blocks."""
+    parts = [zlib.compress(data[at:at + size]) for at in range(0, len(data), size)]
+    numbers = [len(parts), size, len(data) % size] + [len(part) for part in parts]
+    return b"".join(struct.pack(code, number) for number in numbers), b"".join(parts)
+
+
+def text64(*pieces):
+    return "".join(base64.b64encode(piece).decode() for piece in pieces)
+
+
+ZLIB = 'compressor="vtkZLibDataCompressor"'
+SKEW = 'Origin="10 20 30" Spacing="0.5 1 2" Direction="0 -1 0 1 0 0 0 0 1"'
+write("ascii_u16.vti", vti(data_array("UInt16", "ascii", "\n" + " ".join(map(str, GRID)) + "\n"), image=""))
+write("inline_i16_big.vti", vti(data_array("Int16", "binary", "\n  " + text64(counted(">I", pack(">h", SIGNED))) + "\n"),
+                                attributes='byte_order="BigEndian"', image=SKEW))
+write("inline_zlib_f64.vti", vti(data_array("Float64", "binary", text64(
+    *blocks("<Q", pack("<d", [value / 10 for value in GRID]), 64))), attributes=f'header_type="UInt64" {ZLIB}', names=""))
+write("appended_f32.vti", vti(
+    data_array("UInt8", "appended", more='offset="0"').replace('"grid"', '"other"') + data_array(
+        "Float32", "appended", more='offset="28"'), '  <AppendedData encoding="raw">\n   _@DATA@\n  </AppendedData>\n',
+    'header_type="UInt32" byte_order="LittleEndian"').encode().replace(
+        b"@DATA@", counted("<I", pack("<B", SMALL)) + counted("<I", pack("<f", [value / 4 for value in GRID]))))
+write("appended_zlib_u8.vti", vti(
+    data_array("UInt8", "appended", more='offset="0"'), '  <AppendedData encoding="base64">\n   _'
+    + text64(*blocks(">I", pack(">B", SMALL), 10)) + "\n  </AppendedData>\n", f'byte_order="BigEndian" {ZLIB}'))
+
+
+# --- DICOM: a CT of four slices, the first by position last by name; 150 is taken off each value ---
+def element(group, number, kind, value):
+    value = value.encode() if isinstance(value, str) else value
+    value += (b"\0" if kind in ("UI", "OW") else b" ") * (len(value) % 2)
+    size = struct.pack("<HI", 0, len(value)) if kind == "OW" else struct.pack("<H", len(value))
+    return struct.pack("<HH2s", group, number, kind.encode()) + size + value
+
+
+def dicom(z):
+    instance = f"1.2.3.4.{z + 1}"
+    meta = element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") \
+        + element(2, 3, "UI", instance) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1")
+    body = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", instance)
+    body += element(8, 0x60, "CS", "CT") + element(0x20, 0xD, "UI", "1.2.3") + element(0x20, 0xE, "UI", "1.2.3.4")
+    body += element(0x20, 0x32, "DS", f"10\\20\\{30 + 2 * z}") + element(0x20, 0x37, "DS", "0\\1\\0\\-1\\0\\0")
+    for number, value in ((2, 1), (0x10, 2), (0x11, 3)):
+        body += element(0x28, number, "US", struct.pack("<H", value))
+        if number == 2:
+            body += element(0x28, 4, "CS", "MONOCHROME2")
+    body += element(0x28, 0x30, "DS", "1\\0.5")
+    for number, value in ((0x100, 16), (0x101, 16), (0x102, 15), (0x103, 0)):
+        body += element(0x28, number, "US", struct.pack("<H", value))
+    body += element(0x28, 0x1052, "DS", "-150") + element(0x28, 0x1053, "DS", "1")
+    body += element(0x7FE0, 0x10, "OW", pack("<H", GRID[6 * z:6 * z + 6]))
+    return bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + body
+
+
+os.makedirs(os.path.join(FOLDER, "series"), exist_ok=True)
+for z in range(4):
+    write(f"series/{9 - z}.dcm", dicom(z))
 
 # --- meshes ---
 CORNERS = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]

@@ -229,6 +229,70 @@ VOLUMES = [
     volume("noise as NIfTI", bytes(range(256)) * 4, file="grid.nii"),
 ]
 
+def chosen(name, file, content, text, key):
+    """A volume file with a key that chooses a part of it."""
+    scene_text = GOOD_SCENE.replace(b'"grid.nrrd"', b'"' + file.encode() + b'"\n' + key)
+    return Case(name, text, RENDER, {"scene.toml": scene_text, file: content})
+
+
+FORMATS = [
+    Case("a VTI volume", "", RENDER, {"scene.toml": GOOD_SCENE.replace(b"grid.nrrd", b"grid.vti"),
+                                      "grid.vti": inputs.GRID_VTI}, 0, ("out.png",)),
+    Case("a raw volume", "", RENDER, {"scene.toml": GOOD_SCENE.replace(b"grid.nrrd", b"g_4x4x4_uint8.raw"),
+                                      "g_4x4x4_uint8.raw": bytes(64)}, 0, ("out.png",)),
+    volume("raw volume without a size", bytes(64), "no size and type in its name", "grid.raw"),
+    volume("raw volume that is too short", bytes(63), "fewer than the 64 bytes", "g_4x4x4_uint8.raw"),
+    volume("raw volume that claims to be huge", bytes(64), "2^34 voxels", "g_99999x99999x99999_uint8.raw"),
+    volume("raw volume that claims to be packed well", bytes(64), "fewer than", "g_2000x2000x2000_uint8.raw.gz"),
+    volume("noise as VTI", bytes(range(1, 256)), "is not well-formed XML", "grid.vti"),
+    volume("truncated VTI", inputs.GRID_VTI[:-20], "grid.vti:", "grid.vti"),
+    volume("VTI that claims to be huge", inputs.vti("0 99999 0 99999 0 99999", "1"), "2^34 voxels", "grid.vti"),
+    volume("VTI of vectors", inputs.vti("0 3 0 3 0 3", "1", 3), "grid.vti:2:1: array \"a\" has \"3\" components",
+           "grid.vti"),
+    volume("VTI of cells", inputs.vti("0 3 0 3 0 3", "1", 1, "CellData"), "cell data alone", "grid.vti"),
+    volume("VTI with a voxel out of range", inputs.vti("0 0 0 0 0 0", "256"), "number 1 of its voxels", "grid.vti"),
+    volume("noise as OpenVDB", bytes(range(256)) * 4, "not an OpenVDB file", "grid.vdb"),
+    volume("a slice of DICOM", b"x", "name the folder", "slice.dcm"),
+    Case("a folder without slices", "folder with 0 DICOM files", RENDER,
+         {"scene.toml": GOOD_SCENE.replace(b"grid.nrrd", b".")}),
+    Case("noise as DICOM", "\"DICM\" must stand at byte 128", RENDER, {
+        "scene.toml": GOOD_SCENE.replace(b"grid.nrrd", b"."), "1.dcm": bytes(600), "2.dcm": bytes(600)}),
+    chosen("an array that is not there", "grid.vti", inputs.GRID_VTI, "no point data \"b\"", b"array = 'b'"),
+    chosen("grid of a file without", "g.nrrd", inputs.GRID_NRRD, "scene.toml:22:8: grid chooses", b"grid = 'a'"),
+    chosen("array of a file without", "g.nrrd", inputs.GRID_NRRD, "scene.toml:22:9: array chooses", b"array = 'a'"),
+    chosen("grid as a number", "g.nrrd", inputs.GRID_NRRD, "scene.toml:22:8: grid is an integer", b"grid = 1"),
+]
+
+WITH_PRESET = GOOD_SCENE.split(b"opacity = [[")[0] + b'transfer_function = "preset.json"\n'
+
+
+def preset(name, text, content=inputs.PRESET, more=b"", status=1):
+    """The volume with a ParaView preset and more keys."""
+    files = {"scene.toml": WITH_PRESET + more, "preset.json": content}
+    return Case(name, text, RENDER, files, status, ("out.png",) if status == 0 else ())
+
+
+PRESETS = [
+    preset("a preset", "", status=0),
+    preset("a preset with a range", "", more=b"range = [-5, 5]", status=0),
+    preset("a preset whose range moves", "", status=0,
+           more=b"range = [0, 1]\n[[animate]]\nkey = 'volume.smoke.range'\nframes = [[0, 0, 9], [1, 0, 99]]"),
+    preset("missing preset", "preset.json: there is no such file", None),
+    preset("empty preset", "preset.json: is empty", b""),
+    preset("preset of noise", "preset.json:1:1: is not JSON", bytes(range(256))),
+    preset("truncated preset", "preset.json:1:1: is not JSON", inputs.PRESET[:-9]),
+    preset("deeply nested preset", "is not JSON", b"[" * 100000),
+    preset("preset with a huge number", "", inputs.PRESET.replace(b"63", b"1e300")),
+    preset("preset that descends", "must be ascending", inputs.PRESET.replace(b"[0, 0, 0, 1", b"[99, 0, 0, 1")),
+    preset("preset and colour", "color and transfer_function are given", more=b"color = [[0, 1, 1, 1]]"),
+    preset("preset and opacity", "the transfer_function has opacities", more=b"opacity = [[0, 1]]"),
+    preset("preset without opacity", "scene.toml:22:21: the preset has no opacities", b'{"RGBPoints": [0, 0, 0, 1]}'),
+    preset("range that descends", "scene.toml:23:9: range must be [low, high]", more=b"range = [5, 5]"),
+    preset("range of one number", "range is an array of 1", more=b"range = [5]"),
+    preset("range with a NaN", "range is nan", more=b"range = [nan, 5]"),
+    settings("range without a preset", "which is not given", "volume.smoke.range=[0, 1]"),
+]
+
 MESHES = [
     mesh("missing mesh", None),
     mesh("empty mesh file", b""),
@@ -359,4 +423,5 @@ LATER = [
     )
 ] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
 
-CASES = GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + MESHES + QUERIES + RUNS + VIEWS + USAGE + FRAMES + LATER
+CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + QUERIES + RUNS + VIEWS + USAGE + FRAMES +
+         LATER)

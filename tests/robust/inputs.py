@@ -33,3 +33,14 @@ def ply(vertices_claimed):
     header = f"ply\nformat ascii 1.0\nelement vertex {vertices_claimed}\nproperty float x\nproperty float y\n"
     header += "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
     return header.encode() + b"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+
+
+def vti(extent, data, components=1, section="PointData"):
+    """VTK image data with UInt8 voxels as text."""
+    return (f'<VTKFile type="ImageData" version="1.0"><ImageData WholeExtent="{extent}"><Piece Extent="{extent}">\n'
+            f'<{section}><DataArray type="UInt8" Name="a" NumberOfComponents="{components}" format="ascii">{data}\n'
+            f"</DataArray></{section}></Piece></ImageData></VTKFile>\n").encode()
+
+
+GRID_VTI = vti("0 3 0 3 0 3", " ".join(map(str, range(64))))
+PRESET = b'{"ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 1, 63, 1, 0, 0], "Points": [0, 0, 0.5, 0, 63, 0.5, 0.5, 0]}'

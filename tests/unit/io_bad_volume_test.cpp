@@ -41,9 +41,8 @@ TEST_F(BadVolume, MissingEmptyOrNoFileAtAll) {
 }
 
 TEST_F(BadVolume, UnknownEndingsAreToldTheKnownOnes) {
-  for (const char* name : {"volume.raw", "volume", "volume.gz", "nrrd"})
-    expectRefused(name, "bytes", ".nrrd, .nhdr, .mhd, .mha, .nii, .nii.gz, .hdr and .img");
-  expectRefused("smoke.vdb", "bytes", "OpenVDB is not supported yet");
+  for (const char* name : {"volume.dat", "volume", "volume.gz", "nrrd"})
+    expectRefused(name, "bytes", ".nrrd, .nhdr, .mhd, .mha, .nii, .nii.gz, .hdr, .img, .vdb, .vti, .raw and .raw.gz");
 }
 
 TEST_F(BadVolume, AnyCutIsNoticed) {

@@ -50,23 +50,26 @@ TEST_P(VolumeFormats, HoldTheFilesOwnValues) {
       }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, VolumeFormats,
-                         testing::Values(Grid{"raw_u8.nrrd", VoxelType::UInt8, 60, 0, 1},
-                                         Grid{"gzip_i16_big.nrrd", VoxelType::Int16, 100, -150, 1},
-                                         Grid{"detached_f32.nhdr", VoxelType::Float32, 100, 0, 0.25},
-                                         Grid{"ascii_u16.nrrd", VoxelType::UInt16, 100, 0, 1},
-                                         Grid{"list_axis_u8.nrrd", VoxelType::UInt8, 60, 0, 1},
-                                         Grid{"local_u8.mha", VoxelType::UInt8, 60, 0, 1},
-                                         Grid{"beside_i16_big.mhd", VoxelType::Int16, 100, -150, 1},
-                                         Grid{"beside_zlib_f32.mhd", VoxelType::Float32, 100, 0, 0.25},
-                                         Grid{"local_zlib_u16.mha", VoxelType::UInt16, 100, 0, 1},
-                                         Grid{"local_i8.mha", VoxelType::Int8, 60, -128, 1},
-                                         Grid{"local_i32.mha", VoxelType::Float32, 100, -150, 1048576},
-                                         Grid{"local_f64.mha", VoxelType::Float32, 100, 0, 0.1},
-                                         Grid{"pixdim_u8.nii", VoxelType::UInt8, 60, 0, 1},
-                                         Grid{"sform_i16.nii.gz", VoxelType::Int16, 100, -150, 1},
-                                         Grid{"qform_f32_big.hdr", VoxelType::Float32, 100, 0, 0.25},
-                                         Grid{"qform_f32_big.img", VoxelType::Float32, 100, 0, 0.25}));
+INSTANTIATE_TEST_SUITE_P(
+    All, VolumeFormats,
+    testing::Values(
+        Grid{"raw_u8.nrrd", VoxelType::UInt8, 60, 0, 1}, Grid{"gzip_i16_big.nrrd", VoxelType::Int16, 100, -150, 1},
+        Grid{"detached_f32.nhdr", VoxelType::Float32, 100, 0, 0.25},
+        Grid{"ascii_u16.nrrd", VoxelType::UInt16, 100, 0, 1}, Grid{"list_axis_u8.nrrd", VoxelType::UInt8, 60, 0, 1},
+        Grid{"local_u8.mha", VoxelType::UInt8, 60, 0, 1}, Grid{"beside_i16_big.mhd", VoxelType::Int16, 100, -150, 1},
+        Grid{"beside_zlib_f32.mhd", VoxelType::Float32, 100, 0, 0.25},
+        Grid{"local_zlib_u16.mha", VoxelType::UInt16, 100, 0, 1}, Grid{"local_i8.mha", VoxelType::Int8, 60, -128, 1},
+        Grid{"local_i32.mha", VoxelType::Float32, 100, -150, 1048576},
+        Grid{"local_f64.mha", VoxelType::Float32, 100, 0, 0.1}, Grid{"pixdim_u8.nii", VoxelType::UInt8, 60, 0, 1},
+        Grid{"sform_i16.nii.gz", VoxelType::Int16, 100, -150, 1},
+        Grid{"qform_f32_big.hdr", VoxelType::Float32, 100, 0, 0.25},
+        Grid{"qform_f32_big.img", VoxelType::Float32, 100, 0, 0.25},
+        Grid{"grid_3x2x4_uint8.raw", VoxelType::UInt8, 60, 0, 1},
+        Grid{"grid_3x2x4_int16.raw.gz", VoxelType::Int16, 100, -150, 1},
+        Grid{"ascii_u16.vti", VoxelType::UInt16, 100, 0, 1}, Grid{"inline_i16_big.vti", VoxelType::Int16, 100, -150, 1},
+        Grid{"inline_zlib_f64.vti", VoxelType::Float32, 100, 0, 0.1},
+        Grid{"appended_f32.vti", VoxelType::Float32, 100, 0, 0.25},
+        Grid{"appended_zlib_u8.vti", VoxelType::UInt8, 60, 0, 1}, Grid{"series", VoxelType::Int16, 100, -150, 1}));
 
 /// Where voxel (0, 0, 0) lies and the steps from voxel to voxel along x, y and z.
 void expectPlace(const char* file, glm::vec3 origin, glm::vec3 x, glm::vec3 y, glm::vec3 z) {
@@ -95,6 +98,41 @@ TEST(VolumePlaces, NiftiTakesSformThenQformThenPixdim) {
   expectPlace("sform_i16.nii.gz", {10, 20, 30}, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, 2});
   expectPlace("qform_f32_big.hdr", {10, 20, 30}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 2});
   expectPlace("pixdim_u8.nii", {0, 0, 0}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 2});
+}
+
+TEST(VolumePlaces, RawLiesAtTheOriginWithEdgesOfOne) {
+  expectPlace("grid_3x2x4_uint8.raw", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+}
+
+TEST(VolumePlaces, VtiTakesOriginSpacingDirectionAndExtent) {
+  expectPlace("ascii_u16.vti", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  expectPlace("appended_f32.vti", {10, 20, 30}, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, 2});
+  expectPlace("inline_i16_big.vti", {10, 20, 30}, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, 2});
+  const test::TemporaryFolder folder;
+  std::string text = test::readBytes(dataFile("inline_i16_big.vti"));
+  for (int i = 0; i < 2; ++i) text = test::replaced(text, "0 2 0 1 0 3", "4 6 -1 0 0 3");
+  expectPlace(folder.write("extent.vti", text).c_str(), {11, 22, 30}, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, 2});
+}
+
+TEST(VolumePlaces, DicomTakesPositionOrientationAndSpacing) {
+  expectPlace("series", {10, 20, 30}, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, 2});
+}
+
+TEST(VolumeParts, ArraysOfVtiAreChosenByName) {
+  EXPECT_EQ(io::readVolume(dataFile("appended_f32.vti"), {"", "other"})->type, VoxelType::UInt8);
+  EXPECT_EQ(io::readVolume(dataFile("inline_zlib_f64.vti"))->type, VoxelType::Float32);
+  test::expectError(
+      [] {
+        io::readVolume(dataFile("appended_f32.vti"), {"", "smoke"});
+      },
+      "has no point data \"smoke\"; name one with array = \"...\", its arrays of points are: \"other\", "
+      "\"grid\"");
+}
+
+TEST(VolumeParts, AreRefusedWhereThereIsOne) {
+  EXPECT_THROW(io::readVolume(dataFile("raw_u8.nrrd"), {"density", ""}), Error);
+  EXPECT_THROW(io::readVolume(dataFile("raw_u8.nrrd"), {"", "density"}), Error);
+  EXPECT_THROW(io::readVolume(dataFile("ascii_u16.vti"), {"density", ""}), Error);
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ struct Counts {
 
 Counts countsOf(KeyShape shape) {
   switch (shape) {
+    case KeyShape::Interval:
+      return {2, 0};
     case KeyShape::Vector:
       return {3, 0};
     case KeyShape::Rotation:

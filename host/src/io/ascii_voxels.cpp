@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include <cdsm/error.hpp>
 
@@ -52,20 +53,25 @@ Append appendOf(StoredType type) {
 
 }  // namespace
 
-std::vector<std::byte> readAsciiVoxels(const DataBlock& block, std::uint64_t count, StoredType type) {
-  std::string text = readText(block.path);
-  text.erase(0, std::min<std::uint64_t>(text.size(), block.offset + block.skip));
+std::vector<std::byte> parseAsciiVoxels(const std::string& path, std::string text, std::uint64_t count,
+                                        StoredType type) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::string_view rest = text;
   std::vector<std::byte> bytes;
   const Append appendNumber = appendOf(type);
   std::uint64_t found = 0;
   for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest), ++found)
-    if (found < count) appendNumber(bytes, block.path, word, found);
+    if (found < count) appendNumber(bytes, path, word, found);
   if (found != count)
-    throw Error(Location{block.path},
+    throw Error(Location{path},
                 "holds " + std::to_string(found) + " voxels as text, but its header asks for " + std::to_string(count));
   return bytes;
+}
+
+std::vector<std::byte> readAsciiVoxels(const DataBlock& block, std::uint64_t count, StoredType type) {
+  std::string text = readText(block.path);
+  text.erase(0, std::min<std::uint64_t>(text.size(), block.offset + block.skip));
+  return parseAsciiVoxels(block.path, std::move(text), count, type);
 }
 
 }  // namespace cdsm::io

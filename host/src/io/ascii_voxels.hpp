@@ -7,8 +7,12 @@
 
 namespace cdsm::io {
 
-/// Exactly `count` numbers, parted by white space or commas, from the block's offset on. Throws Error for fewer, more,
+/// Exactly `count` numbers, parted by white space or commas. Throws Error, with `path` as its place, for fewer, more,
 /// or one that the type cannot hold.
+std::vector<std::byte> parseAsciiVoxels(const std::string& path, std::string text, std::uint64_t count,
+                                        StoredType type);
+
+/// The same of the text from the block's offset on.
 std::vector<std::byte> readAsciiVoxels(const DataBlock& block, std::uint64_t count, StoredType type);
 
 }  // namespace cdsm::io

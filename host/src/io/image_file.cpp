@@ -15,6 +15,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/input_file.hpp"
+#include "io/srgb.hpp"
 #include "io/text_numbers.hpp"
 
 namespace cdsm::io {
@@ -29,16 +30,10 @@ Format formatOf(const std::string& path) {
   throw Error(Location{path}, "is not known as an image by its ending; images are .png or .exr");
 }
 
-/// IEC 61966-2-1; NaN becomes 0.
+/// NaN becomes 0.
 std::uint8_t srgbByte(float linear) {
   const double x = linear > 0.0f ? std::min(static_cast<double>(linear), 1.0) : 0.0;
-  const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
-}
-
-float linearOfSrgb(float encoded) {
-  const double x = encoded;
-  return static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
+  return static_cast<std::uint8_t>(std::lround(255.0 * srgbOfLinear(x)));
 }
 
 std::vector<std::uint8_t> srgbPixels(const Image& image) {
@@ -78,7 +73,7 @@ Image toImage(const OIIO::ImageSpec& spec, const std::vector<float>& values, For
     glm::vec4 pixel(0.0f, 0.0f, 0.0f, 1.0f);
     for (int c = 0; c < 3; ++c) {
       const float value = values[i + static_cast<std::size_t>(channels < 3 ? 0 : c)];
-      pixel[c] = format == Format::Png ? linearOfSrgb(value) : value;
+      pixel[c] = format == Format::Png ? static_cast<float>(linearOfSrgb(value)) : value;
     }
     if (channels == 2 || channels > 3) pixel.a = values[i + static_cast<std::size_t>(channels == 2 ? 1 : 3)];
     image.pixels.push_back(pixel);

@@ -16,9 +16,6 @@ namespace cdsm::io {
 
 namespace {
 
-/// Deflate never packs better than this (zlib's technical notes).
-constexpr std::uint64_t kMaxDeflateRatio = 1032;
-
 /// Bytes read or unpacked at a time: memory grows with what is really there.
 constexpr std::size_t kPiece = std::size_t{1} << 20;
 

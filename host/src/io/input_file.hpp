@@ -10,6 +10,9 @@
 
 namespace cdsm::io {
 
+/// Deflate never packs better than this (zlib's technical notes).
+inline constexpr std::uint64_t kMaxDeflateRatio = 1032;
+
 /// Whether the path ends so; `ending` in lower case with its dot, the path in either case.
 bool hasEnding(const std::string& path, const std::string& ending);
 

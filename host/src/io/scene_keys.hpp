@@ -21,6 +21,7 @@ enum class KeyShape {
   Flag,
   Number,
   Integer,
+  Interval,  ///< 2 numbers
   Vector,    ///< 3 numbers
   Rotation,  ///< axis and angle, 4 numbers
   Matrix,    ///< 16 numbers

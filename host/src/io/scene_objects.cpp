@@ -2,11 +2,13 @@
 // [[light]], [[material]], [[mesh]] and [[volume]] of a scene file.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "io/preset_file.hpp"
 #include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "io/spelling.hpp"
@@ -30,14 +32,14 @@ const std::vector<std::pair<const char*, std::vector<LightType>>> kTypedLightKey
     {"cutoff", {LightType::Spot}},
     {"direction", {LightType::Directional}}};
 
-/// Reads through `cache`, where names that lead to the same file share an entry.
+/// Reads through `cache`, where names that lead to the same file, and to the same `part` of it, share an entry.
 template <typename Data, typename Read>
-std::shared_ptr<const Data> readOnce(std::map<std::string, std::shared_ptr<const Data>>& cache,
-                                     const std::string& folder, const std::string& file, Read read) {
+std::shared_ptr<const Data> readOnce(std::map<AssetKey, std::shared_ptr<const Data>>& cache, const std::string& folder,
+                                     const std::string& file, const std::string& part, Read read) {
   const fs::path path = fs::path(folder) / file;
   std::error_code failed;
   const fs::path canonical = fs::weakly_canonical(path, failed);
-  std::shared_ptr<const Data>& entry = cache[failed ? path.string() : canonical.string()];
+  std::shared_ptr<const Data>& entry = cache[{failed ? path.string() : canonical.string(), part}];
   if (!entry) entry = read(path.string());
   return entry;
 }
@@ -94,13 +96,35 @@ glm::mat4 readTransform(const TableReader& reader) {
   return scene::composeTransform(position, axis, rotation[3], scale);
 }
 
-TransferFunction readTransferFunction(const TableReader& reader) {
-  TransferFunction transfer;
-  for (const auto& row : reader.points("opacity", 2, scene::kUnitInterval))
-    transfer.opacity.push_back({row[0], row[1]});
-  for (const auto& row : reader.points("color", 4, scene::kNotNegative)) {
-    transfer.color.push_back({row[0], {row[1], row[2], row[3]}});
-  }
+std::optional<std::pair<double, double>> readRange(const TableReader& reader) {
+  if (!reader.has("range")) return std::nullopt;
+  if (!reader.has("transfer_function")) reader.fail("range", "range stretches a transfer_function, which is not given");
+  const std::vector<float> range = reader.numbers("range", 2, scene::kAnyNumber);
+  if (!(range[0] < range[1])) reader.fail("range", "range must be [low, high] with low below high");
+  return std::pair<double, double>(range[0], range[1]);
+}
+
+/// The functions of a preset, whose keys must not be there as well.
+TransferFunction readPresetOf(const TableReader& reader, const AssetCache& assets) {
+  const auto range = readRange(reader);
+  if (!reader.has("transfer_function")) return {};
+  const TransferFunction preset = readPreset(assets.pathOf(requiredText(reader, "transfer_function")), range);
+  if (reader.has("color")) reader.fail("color", "color and transfer_function are given, must be one of them");
+  if (reader.has("opacity") && !preset.opacity.empty())
+    reader.fail("opacity", "opacity is given, and the transfer_function has opacities, must be one of them");
+  if (!reader.has("opacity") && preset.opacity.empty())
+    reader.fail("transfer_function", "the preset has no opacities, must be joined by the key opacity");
+  return preset;
+}
+
+TransferFunction readTransferFunction(const TableReader& reader, const AssetCache& assets) {
+  TransferFunction transfer = readPresetOf(reader, assets);
+  if (transfer.opacity.empty())
+    for (const auto& row : reader.points("opacity", 2, scene::kUnitInterval))
+      transfer.opacity.push_back({row[0], row[1]});
+  if (transfer.color.empty())
+    for (const auto& row : reader.points("color", 4, scene::kNotNegative))
+      transfer.color.push_back({row[0], {row[1], row[2], row[3]}});
   transfer.unitDistance = reader.number("unit_distance", transfer.unitDistance, scene::kPositive);
   return transfer;
 }
@@ -136,12 +160,15 @@ void refuseKeysOfOtherTypes(const TableReader& reader, LightType type) {
 
 }  // namespace
 
+std::string AssetCache::pathOf(const std::string& file) const { return (fs::path(folder_) / file).string(); }
+
 std::shared_ptr<const MeshData> AssetCache::mesh(const std::string& file) {
-  return readOnce(meshes_, folder_, file, [](const std::string& path) { return readMesh(path); });
+  return readOnce(meshes_, folder_, file, "", [](const std::string& path) { return readMesh(path); });
 }
 
-std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file) {
-  return readOnce(volumes_, folder_, file, [](const std::string& path) { return readVolume(path); });
+std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file, const VolumePart& part) {
+  return readOnce(volumes_, folder_, file, part.grid + part.array,
+                  [&](const std::string& path) { return readVolume(path, part); });
 }
 
 Light readLight(const toml::table& table) {
@@ -194,7 +221,7 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   Volume volume;
   volume.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
-  volume.transfer = readTransferFunction(reader);
+  volume.transfer = readTransferFunction(reader, assets);
   reader.refuseUnlessEmpty("transmission");
   volume.worldFromObject = readTransform(reader);
   volume.specular = reader.vector("specular", volume.specular, scene::kNotNegative);
@@ -202,7 +229,11 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   volume.shading = reader.flag("shading", volume.shading);
   volume.shadow = readShadowRole(reader);
   if (!reader.text("boundary", "").empty()) volume.boundary = indexOf(reader, "boundary", scene.meshes, "mesh");
-  reader.locate("file", [&] { volume.data = assets.volume(file); });
+  const VolumePart part{reader.text("grid", ""), reader.text("array", "")};
+  reader.locate(!part.grid.empty()    ? "grid"
+                : !part.array.empty() ? "array"
+                                      : "file",
+                [&] { volume.data = assets.volume(file, part); });
   reader.locate(volume.boundary < 0 ? "file" : "boundary",
                 [&] { scene::validateVolume(volume, scene.meshes, assets.checks()); });
   return volume;

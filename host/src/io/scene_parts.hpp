@@ -5,15 +5,20 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <toml++/toml.h>
 
 #include <cdsm/scene.hpp>
 
 #include "io/toml_reader.hpp"
+#include "io/volume_file.hpp"
 #include "scene/data_checks.hpp"
 
 namespace cdsm::io {
+
+/// A file, and what of it.
+using AssetKey = std::pair<std::string, std::string>;
 
 /// Mesh and volume files by what they really are on disk: each is read once.
 class AssetCache {
@@ -21,16 +26,19 @@ class AssetCache {
   /// `folder` is what relative names start from: the scene file's.
   explicit AssetCache(std::string folder) : folder_(std::move(folder)) {}
 
+  /// Where a file of the scene lies.
+  std::string pathOf(const std::string& file) const;
+
   std::shared_ptr<const MeshData> mesh(const std::string& file);
-  std::shared_ptr<const VolumeData> volume(const std::string& file);
+  std::shared_ptr<const VolumeData> volume(const std::string& file, const VolumePart& part);
 
   /// Of these files' data.
   scene::DataChecks& checks() { return checks_; }
 
  private:
   std::string folder_;
-  std::map<std::string, std::shared_ptr<const MeshData>> meshes_;
-  std::map<std::string, std::shared_ptr<const VolumeData>> volumes_;
+  std::map<AssetKey, std::shared_ptr<const MeshData>> meshes_;
+  std::map<AssetKey, std::shared_ptr<const VolumeData>> volumes_;
   scene::DataChecks checks_;
 };
 

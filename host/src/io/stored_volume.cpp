@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <new>
 #include <type_traits>
 
 #include <cdsm/error.hpp>
+
+#include "io/text_numbers.hpp"
 
 namespace cdsm::io {
 
@@ -18,13 +21,6 @@ namespace {
 /// More voxels than this are taken for a damaged header.
 constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 34;
 constexpr std::uint64_t kMaxSide = 0x7fffffff;
-
-bool hostIsBigEndian() {
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 0;
-}
 
 std::string voxelName(const StoredVolume& stored, std::uint64_t index) {
   const std::uint64_t x = index % stored.size[0];
@@ -153,6 +149,23 @@ std::size_t storedBytes(StoredType type) {
     default:
       return 8;
   }
+}
+
+std::optional<StoredType> storedTypeOf(std::string_view name) {
+  static const std::map<std::string, StoredType> types = {
+      {"uint8", StoredType::UInt8},    {"int8", StoredType::Int8},     {"uint16", StoredType::UInt16},
+      {"int16", StoredType::Int16},    {"uint32", StoredType::UInt32}, {"int32", StoredType::Int32},
+      {"uint64", StoredType::UInt64},  {"int64", StoredType::Int64},   {"float32", StoredType::Float32},
+      {"float64", StoredType::Float64}};
+  const auto at = types.find(lowerCase(name));
+  return at == types.end() ? std::nullopt : std::optional(at->second);
+}
+
+bool hostIsBigEndian() {
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
 }
 
 std::uint64_t checkedBytes(const std::string& path, const std::array<std::uint64_t, 3>& size, StoredType type) {

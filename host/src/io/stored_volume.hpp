@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -20,6 +22,12 @@ enum class StoredType { UInt8, Int8, UInt16, Int16, UInt32, Int32, UInt64, Int64
 
 /// Bytes of one stored value.
 std::size_t storedBytes(StoredType type);
+
+/// Of "uint8", "Float32" and the like, in either case; nothing for other words.
+std::optional<StoredType> storedTypeOf(std::string_view name);
+
+/// The byte order of values that another library has already read.
+bool hostIsBigEndian();
 
 struct StoredVolume {
   StoredType type = StoredType::UInt8;

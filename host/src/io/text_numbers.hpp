@@ -63,6 +63,14 @@ inline std::string printable(std::string_view text, std::size_t most = 200) {
 /// For messages: a word from a file in quotation marks.
 inline std::string quoted(std::string_view word) { return "\"" + printable(word, 40) + "\""; }
 
+/// Of ASCII letters.
+inline std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 /// All words of a text.
 inline std::vector<std::string_view> words(std::string_view text) {
   std::vector<std::string_view> list;
