@@ -4,17 +4,11 @@
 #include <algorithm>
 #include <map>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
+#include "cluster/planar_hull.hpp"
 
 namespace cdsm::cluster {
 
 namespace {
-
-namespace bg = boost::geometry;
-using Point2 = bg::model::d2::point_xy<double>;
 
 /// Corners of cuts nearer than this part of the body's size are one corner.
 constexpr double kSamePart = 1e-12;
@@ -98,14 +92,11 @@ HalfSpace halfSpace(const glm::dvec3& normal, const glm::dvec3& point) {
 std::vector<glm::dvec3> hullInPlane(const std::vector<glm::dvec3>& points, const glm::dvec3& normal) {
   const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
-  bg::model::multi_point<Point2> flat;
-  for (const glm::dvec3& p : points) flat.push_back({glm::dot(u, p), glm::dot(v, p)});
-  bg::model::polygon<Point2> hull;
-  bg::convex_hull(flat, hull);
+  std::vector<glm::dvec2> flat;
+  for (const glm::dvec3& p : points) flat.emplace_back(glm::dot(u, p), glm::dot(v, p));
   const double height = glm::dot(normal, points.front());
   ConvexBody::Polygon polygon;
-  for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
-    polygon.push_back(hull.outer()[i].x() * u + hull.outer()[i].y() * v + height * normal);
+  for (const glm::dvec2& corner : planarHull(flat)) polygon.push_back(corner.x * u + corner.y * v + height * normal);
   return polygon.size() >= 3 && glm::length(normalOf(polygon)) > 0.0 ? polygon : ConvexBody::Polygon{};
 }
 

@@ -4,21 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "cluster/light_camera.hpp"
 #include "cluster/light_space.hpp"
+#include "cluster/planar_hull.hpp"
 
 namespace cdsm::cluster {
 
 namespace {
 
-namespace bg = boost::geometry;
-using Point2 = bg::model::d2::point_xy<double>;
 using Outline = std::vector<glm::dvec2>;
 
 /// A single camera of an omni light sees at most this far to each side (55 degrees): more would waste its texels.
@@ -28,8 +23,6 @@ constexpr int kConeSides = 32;
 constexpr int kTurns = 3;  ///< of the camera towards the middle of what it sees
 /// No picture is narrower than this part of the other side.
 constexpr double kNarrowest = 1e-3;
-/// Of the grid's cells along an outline: products of two such numbers fit a double.
-constexpr int kGridBits = 24;
 /// The near plane lies this part of the distance in front of the nearest point.
 constexpr double kNearMargin = 1e-3;
 
@@ -48,29 +41,6 @@ glm::dvec3 inFrame(const LightFrame& frame, const glm::dvec3& world) {
 glm::dvec2 inPicture(const LightFrame& frame, const glm::dvec3& world) {
   const glm::dvec3 p = inFrame(frame, world);
   return frame.parallel ? glm::dvec2(p) : glm::dvec2(p) / p.z;
-}
-
-/// Convex hull, each corner once. Corners are moved to a fine grid, on which it is exact what lies on which side of a
-/// line: with corners that differ by rounding alone, hulls of others come out wrong.
-Outline hullOf(const Outline& points) {
-  glm::dvec2 low(INFINITY), high(-INFINITY);
-  for (const glm::dvec2& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const double size = std::max({high.x - low.x, high.y - low.y, 1e-300});
-  const double cell = std::exp2(std::ceil(std::log2(size)) - kGridBits);
-  bg::model::multi_point<Point2> list;
-  for (const glm::dvec2& p : points) {
-    const glm::dvec2 onGrid = glm::round((p - low) / cell);
-    list.push_back({onGrid.x, onGrid.y});
-  }
-  bg::model::polygon<Point2> hull;
-  bg::convex_hull(list, hull);
-  Outline outline;
-  for (std::size_t i = 0; i + 1 < hull.outer().size(); ++i)
-    outline.push_back(low + cell * glm::dvec2(hull.outer()[i].x(), hull.outer()[i].y()));
-  return outline;
 }
 
 void append(Outline& outline, const Outline& more) { outline.insert(outline.end(), more.begin(), more.end()); }
@@ -127,9 +97,9 @@ Outline clusterOutline(const LightFrame& frame, const std::vector<Seen>& objects
   for (const Seen& object : objects) {
     const Outline outline = objectOutline(frame, object, nearDepth);
     if (outline.empty()) continue;
-    append(all, limit ? clipOutline(hullOf(outline), *limit) : hullOf(outline));
+    append(all, limit ? clipOutline(planarHull(outline), *limit) : planarHull(outline));
   }
-  return all.empty() ? all : hullOf(all);
+  return all.empty() ? all : planarHull(all);
 }
 
 struct Rectangle {
@@ -207,7 +177,7 @@ MapView viewAround(LightFrame frame, Outline outline, const std::vector<Seen>& o
       const glm::dvec3 way = p.x * frame.right + p.y * frame.down + (frame.parallel ? 0.0 : 1.0) * frame.axis;
       seen.push_back(inPicture(next, way + next.position));
     }
-    outline = hullOf(seen);
+    outline = planarHull(seen);
     frame = next;
     rectangle = smallestRectangle(outline);
   }
