@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <cdsm/error.hpp>
+#include <cdsm/light_map.hpp>
 #include <cdsm/scene.hpp>
 #include <cdsm/stats.hpp>
 
@@ -69,6 +70,10 @@ class Engine {
   /// without bias [Knecht 2011, §3.3]. Throws Error for an unknown light.
   std::vector<Transmittance> transmittance(const Scene& scene, const std::string& light,
                                            const std::vector<glm::vec3>& points);
+
+  /// The deep shadow maps of the light of that name, as transmittance() looks them up, in host memory. None if nothing
+  /// that casts is in the light's reach. Throws Error for an unknown light, and if the scene's technique has no maps.
+  std::vector<LightMap> lightMaps(const Scene& scene, const std::string& light);
 
   /// What the last call did: device times, maps, memory.
   const FrameStats& stats() const;

@@ -6,6 +6,20 @@
 
 namespace cdsm {
 
+namespace {
+
+/// Throws Error for an unknown light.
+std::size_t lightOf(const Scene& scene, const std::string& name) {
+  std::string known;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (scene.lights[i].name == name) return i;
+    known += (known.empty() ? "" : ", ") + scene.lights[i].name;
+  }
+  throw Error("there is no light '" + name + "'; " + (known.empty() ? "the scene has none" : "known: " + known));
+}
+
+}  // namespace
+
 std::vector<DeviceDescription> listDevices() { return device::Device::list(); }
 
 struct Engine::Impl {
@@ -29,12 +43,12 @@ Image Engine::render(const Scene& scene) {
 std::vector<Transmittance> Engine::transmittance(const Scene& scene, const std::string& light,
                                                  const std::vector<glm::vec3>& points) {
   impl_->frame.check(scene);
-  std::string known;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    if (scene.lights[i].name == light) return impl_->frame.transmittance(scene, i, points);
-    known += (known.empty() ? "" : ", ") + scene.lights[i].name;
-  }
-  throw Error("there is no light '" + light + "'; " + (known.empty() ? "the scene has none" : "known: " + known));
+  return impl_->frame.transmittance(scene, lightOf(scene, light), points);
+}
+
+std::vector<LightMap> Engine::lightMaps(const Scene& scene, const std::string& light) {
+  impl_->frame.check(scene);
+  return impl_->frame.lightMaps(scene, lightOf(scene, light));
 }
 
 }  // namespace cdsm

@@ -17,7 +17,8 @@ FrameState::FrameState(const EngineOptions& options)
       deviceScene_(*device_),
       raster_(*device_),
       shade_(*device_),
-      query_(*device_) {}
+      query_(*device_),
+      mapReader_(*device_) {}
 
 void FrameState::check(const Scene& scene) {
   if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
@@ -59,6 +60,19 @@ std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::si
   for (const float value : values) results.push_back({std::uint8_t(value >= 0.0f), std::max(value, 0.0f)});
   finishStats(scene);
   return results;
+}
+
+std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t light) {
+  beginStats();
+  prepare(scene, cluster::Purpose::Points);
+  device_->profiler().beginGroup("read maps");
+  std::vector<LightMap> maps = technique_->lightMaps(scene, light);
+  shared::LightData data{};
+  technique_->describeLight(light, data);
+  for (std::size_t i = 0; i < maps.size(); ++i)
+    mapReader_.run(scene, deviceScene_, *technique_, data.firstMap + i, maps[i]);
+  finishStats(scene);
+  return maps;
 }
 
 void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {

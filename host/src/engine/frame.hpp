@@ -11,6 +11,7 @@
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
 #include "device/device.hpp"
+#include "render/map_reader.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
 #include "scene/data_checks.hpp"
@@ -28,6 +29,7 @@ class FrameState {
 
   Image render(const Scene& scene);
   std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
+  std::vector<LightMap> lightMaps(const Scene& scene, std::size_t light);
 
   const DeviceDescription& device() const { return device_->description(); }
   const FrameStats& stats() const { return stats_; }
@@ -49,6 +51,7 @@ class FrameState {
   build::RasterPass raster_;
   render::ShadePass shade_;
   render::QueryPass query_;
+  render::MapReader mapReader_;
   std::unique_ptr<technique::ShadowTechnique> technique_;
   device::Buffer<shared::LightData> lights_;
   scene::DataChecks dataChecks_;

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "cluster/light_camera.hpp"
+#include "technique/light_map.hpp"
 
 namespace cdsm::technique {
 
@@ -115,6 +116,19 @@ device::ArgumentList DeepShadowMap::arguments() const {
   const device::ArgumentList nodes = memory_->readArguments();
   list.insert(list.end(), nodes.begin(), nodes.end());
   return list;
+}
+
+std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t light) const {
+  const LightMaps& ofLight = lightMaps_[light];
+  std::vector<LightMap> maps;
+  for (const MapCluster& cluster : clusters_) {
+    if (cluster.light != light) continue;
+    for (std::size_t view = 0; view < cluster.views.size(); ++view) {
+      maps.push_back(describeMap(scene, cluster, view));
+      if (ofLight.formerCount > 0) maps.back().share = cluster.former ? 1.0f - ofLight.share : ofLight.share;
+    }
+  }
+  return maps;
 }
 
 void DeepShadowMap::addStats(const Scene& scene, FrameStats& stats) const {

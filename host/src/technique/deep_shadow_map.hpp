@@ -23,6 +23,7 @@ class DeepShadowMap : public ShadowTechnique {
   void describeLight(std::size_t light, shared::LightData& data) const override;
   shared::TechniqueParams params(const Scene& scene) const override;
   device::ArgumentList arguments() const override;
+  std::vector<LightMap> lightMaps(const Scene& scene, std::size_t light) const override;
   void addStats(const Scene& scene, FrameStats& stats) const override;
 
  private:
