@@ -17,16 +17,21 @@ struct ExportMapOptions : SceneOptions {
   bool tiled = false;
 };
 
-void exportMap(const ExportMapOptions& options) {
-  io::checkMapPath(options.file);
-  requireDistinctFiles({options.scene, options.file, options.stats});
-  SceneRun run(options);
-  const std::vector<LightMap> maps = run.engine().lightMaps(run.scene(), options.light);
+void writeMaps(const SceneRun& run, const ExportMapOptions& options, const std::vector<LightMap>& maps) {
+  const device::HostStep step = run.step("write maps");
   for (const Light& light : run.scene().lights) {
     if (light.name != options.light) continue;
     io::writeLightMaps(options.file, light, run.scene().shadows, maps,
                        options.tiled ? io::MapFileLayout::Tiles : io::MapFileLayout::Scanlines);
   }
+}
+
+void exportMap(const ExportMapOptions& options) {
+  io::checkMapPath(options.file);
+  requireDistinctFiles({options.scene, options.file, options.stats, options.trace});
+  SceneRun run(options);
+  const std::vector<LightMap> maps = run.engine().lightMaps(run.scene(), options.light);
+  writeMaps(run, options, maps);
   run.writeStats();
 }
 

@@ -42,15 +42,21 @@ std::vector<std::string> imagesOf(const RenderOptions& options, const io::FrameR
 void checkFiles(const SceneOptions& options, const std::vector<std::string>& images) {
   for (const std::string& image : images) io::checkImagePath(image);
   std::vector<std::string> files = images;
-  files.insert(files.end(), {options.scene, options.stats});
+  files.insert(files.end(), {options.scene, options.stats, options.trace});
   requireDistinctFiles(files);
+}
+
+void renderTo(SceneRun& run, const std::string& path) {
+  const Image image = run.engine().render(run.scene());
+  const device::HostStep step = run.step("write image");
+  io::writeImage(path, image);
 }
 
 void renderImage(const RenderOptions& options) {
   const std::string image = options.image.empty() ? nameOf(options.scene) + ".png" : options.image;
   checkFiles(options, {image});
   SceneRun run(options);
-  io::writeImage(image, run.engine().render(run.scene()));
+  renderTo(run, image);
   run.writeStats();
 }
 
@@ -59,8 +65,9 @@ void renderFrames(const RenderOptions& options, const io::FrameRange& frames, co
   SceneRun run(options, frames.first);
   std::vector<FrameStats> stats;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
+    const device::HostStep step = run.step("frame " + std::to_string(frame));
     run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
-    io::writeImage(images[frame - frames.first], run.engine().render(run.scene()));
+    renderTo(run, images[frame - frames.first]);
     stats.push_back(run.engine().stats());
     stats.back().frame = frame;
   }

@@ -171,12 +171,29 @@ TEST(LightMaps, areWrittenWholeOrNotAtAll) {
   EXPECT_EQ(folder.files(), 2u);
 }
 
+TEST(DeepMaps, areWholeForOpenExrsOwnTools) {
+  if (std::system("exrinfo --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "exrinfo is not installed";
+  for (const auto layout : {io::MapFileLayout::Scanlines, io::MapFileLayout::Tiles}) {
+    const test::TemporaryFolder folder;
+    const std::string deep = folder.path("deep.exr"), info = folder.path("info.txt");
+    const auto maps = exportTo(deep, sceneOf(exportCases()[2], mapPath()), "buffer", layout);
+    ASSERT_EQ(std::system(("exrinfo -v -s " + deep + " > " + info).c_str()), 0);
+    const std::string text = test::readBytes(info);
+    const std::string type = layout == io::MapFileLayout::Tiles ? "deeptile" : "deepscanline";
+    for (std::size_t part = 0; part < maps.size(); ++part)
+      EXPECT_NE(text.find("exported.cluster0.map" + std::to_string(part)), std::string::npos) << text;
+    for (const std::string& word : {type, std::string("worldToNDC: m44f"), std::string("worldToCamera: m44f")})
+      EXPECT_NE(text.find(word), std::string::npos) << text;
+  }
+}
+
 TEST(DeepMaps, flattenToTheTransmittanceBehindThem) {
   if (std::system("oiiotool --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "oiiotool is not installed";
   for (const auto layout : {io::MapFileLayout::Scanlines, io::MapFileLayout::Tiles}) {
     const test::TemporaryFolder folder;
     const std::string deep = folder.path("deep.exr"), flat = folder.path("flat.exr");
     const auto maps = exportTo(deep, sceneOf(exportCases()[3], mapPath()), "buffer", layout);
+    ASSERT_EQ(std::system(("oiiotool --info -v " + deep + " > /dev/null").c_str()), 0);
     const std::string command = "oiiotool " + deep + " -a --flatten -o " + flat;
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     const auto alphas = readFlatAlphas(flat);

@@ -37,7 +37,7 @@ GOOD_FILES = {
     "points.csv": inputs.POINTS_CSV,
 }
 
-OUTPUTS = ["out.png", "out.csv", "out.exr", "stats.json"]
+OUTPUTS = ["out.png", "out.csv", "out.exr", "stats.json", "trace.json"]
 NAMELESS = ["render", "scene.toml", "--quiet"]
 RENDER = ["render", "scene.toml", "-o", "out.png", "--stats", "stats.json", "--quiet"]
 QUERY = ["transmittance", "scene.toml", "--light", "key", "--points", "points.csv", "-o", "out.csv", "--quiet"]
@@ -119,6 +119,9 @@ GOOD_RUNS = [
     works("a good scene renders", RENDER, ("out.png", "stats.json")),
     works("a good query is answered", QUERY, ("out.csv",)),
     works("good maps are exported", EXPORT + ["--stats", "stats.json"], ("out.exr", "stats.json")),
+    works("a good run is traced", RENDER + ["--trace", "trace.json"], ("out.png", "stats.json", "trace.json")),
+    works("a good query is traced", QUERY + ["--trace", "trace.json"], ("out.csv", "trace.json")),
+    works("a good export is traced", EXPORT + ["--trace", "trace.json"], ("out.exr", "trace.json")),
     works("good maps are exported in tiles", EXPORT + ["--tiled", "--set", "shadows.memory=atlas"], ("out.exr",)),
     works("a light inside a volume", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
     works("a closed mesh as boundary", RENDER + ["--set", "volume.smoke.boundary=cup"], ("out.png",)),
@@ -276,6 +279,8 @@ RUNS = [
     Case("a folder as output", ".", ["render", "scene.toml", "-o", "."]),
     Case("unknown image format", "out.jpg", ["render", "scene.toml", "-o", "out.jpg"]),
     Case("statistics in no folder", "none/s.json", ["render", "scene.toml", "-o", "out.png", "--stats", "none/s.json"]),
+    Case("a trace in no folder", "none/t.json", RENDER + ["--trace", "none/t.json"]),
+    Case("a folder as trace", "is a folder", EXPORT + ["--trace", "."]),
     Case("answers in no folder", "none/out.csv", replaced(QUERY, "out.csv", "none/out.csv")),
     Case("unknown device", "no such device", RENDER + ["--device", "no such device"]),
     Case("device number out of range", "99:0", RENDER + ["--device", "99:0"]),
@@ -290,6 +295,8 @@ USAGE = [
     usage("override without a value", "must be KEY=VALUE", RENDER + ["--set", "image.width"]),
     usage("query without points", "--points is required", ["transmittance", "scene.toml", "--light", "key"]),
     usage("statistics over the image", "'./out.png' is named twice", replaced(RENDER, "stats.json", "./out.png")),
+    usage("a trace over the statistics", "'stats.json' is named twice", RENDER + ["--trace", "stats.json"]),
+    usage("a trace over the points", "'points.csv' is named twice", QUERY + ["--trace", "points.csv"]),
     usage("statistics over the scene", "'scene.toml' is named twice", replaced(RENDER, "stats.json", "scene.toml")),
     usage("answers over the points", "'points.csv' is named twice", replaced(QUERY, "out.csv", "points.csv")),
     usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),

@@ -12,6 +12,7 @@
 #include <cdsm/light_map.hpp>
 #include <cdsm/scene.hpp>
 #include <cdsm/stats.hpp>
+#include <cdsm/trace.hpp>
 
 namespace cdsm {
 
@@ -38,6 +39,7 @@ struct EngineOptions {
   std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
   std::string fetch = "auto";  ///< auto | buffer | image
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
+  TraceSink trace;  ///< gets every kernel, transfer and host step; may be empty
 };
 
 /// RGBA, linear, row after row from the top, premultiplied by nothing: alpha is the opacity in front of the background.

@@ -2,6 +2,7 @@
 #include "engine/frame.hpp"
 
 #include "cluster/light_camera.hpp"
+#include "device/host_step.hpp"
 #include "engine/supersampling.hpp"
 #include "scene/changes.hpp"
 #include "scene/light_names.hpp"
@@ -18,7 +19,11 @@ FrameState::FrameState(const EngineOptions& options)
       raster_(*device_),
       shade_(*device_),
       query_(*device_),
-      mapReader_(*device_) {}
+      mapReader_(*device_) {
+  device_->profiler().setTrace(options_.trace);
+}
+
+device::HostStep FrameState::step(const char* name) const { return {device_->profiler().trace(), name}; }
 
 void FrameState::check(const Scene& scene) {
   if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
@@ -29,6 +34,7 @@ void FrameState::check(const Scene& scene) {
 }
 
 Image FrameState::render(const Scene& scene) {
+  const device::HostStep traced = step("render image");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
 
@@ -38,9 +44,7 @@ Image FrameState::render(const Scene& scene) {
   const float nearDepth = scene::cameraNearDepth(scene.camera, deviceScene_.bounds());
   const shared::ViewData view =
       scene::cameraView(scene.camera, scene.image.width * rays, scene.image.height * rays, nearDepth);
-  build::Layers& layers =
-      raster_.run(deviceScene_, deviceScene_.allObjects(), view, [this](const std::string& what) { report(what); });
-  const render::ShadedView shaded = shade_.run(scene, deviceScene_, layers, lights_, *technique_);
+  const render::ShadedView shaded = shade(scene, view);
   stats_.shadedSamples = shaded.shadedSamples;
   Image image = resolve(shaded.pixels, scene.image);
 
@@ -49,8 +53,16 @@ Image FrameState::render(const Scene& scene) {
   return image;
 }
 
+render::ShadedView FrameState::shade(const Scene& scene, const shared::ViewData& view) {
+  const device::HostStep traced = step("shade view");
+  build::Layers& layers =
+      raster_.run(deviceScene_, deviceScene_.allObjects(), view, [this](const std::string& what) { report(what); });
+  return shade_.run(scene, deviceScene_, layers, lights_, *technique_);
+}
+
 std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,
                                                      const std::vector<glm::vec3>& points) {
+  const device::HostStep traced = step("answer query");
   beginStats();
   prepare(scene, cluster::Purpose::Points);
   device_->profiler().beginGroup("render");
@@ -63,6 +75,7 @@ std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::si
 }
 
 std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t light) {
+  const device::HostStep traced = step("read maps");
   beginStats();
   prepare(scene, cluster::Purpose::Points);
   device_->profiler().beginGroup("read maps");
@@ -91,12 +104,14 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
 }
 
 void FrameState::uploadObjects(const Scene& scene) {
+  const device::HostStep traced = step("upload objects");
   progress("upload", 0.0f);
   device_->profiler().beginGroup("upload");
   deviceScene_.update(scene);
 }
 
 void FrameState::prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged) {
+  const device::HostStep traced = step("prepare shadows");
   progress("shadows", 0.0f);
   device_->profiler().beginGroup("build maps");
   const build::RasterPass::Report report = [this](const std::string& what) { this->report(what); };
@@ -125,6 +140,7 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
+  profiler.flushTrace();
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();

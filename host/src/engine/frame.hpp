@@ -11,6 +11,7 @@
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
 #include "device/device.hpp"
+#include "device/host_step.hpp"
 #include "render/map_reader.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
@@ -40,6 +41,10 @@ class FrameState {
   void uploadObjects(const Scene& scene);
   void prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged);
   void uploadLights(const Scene& scene);
+  /// The camera's image, rays in place of pixels.
+  render::ShadedView shade(const Scene& scene, const shared::ViewData& view);
+  /// A step of the host for the trace, as long as it lives.
+  device::HostStep step(const char* name) const;
   void beginStats();
   void finishStats(const Scene& scene);
   void report(const std::string& what);

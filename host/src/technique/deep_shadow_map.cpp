@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "cluster/light_camera.hpp"
+#include "device/host_step.hpp"
 #include "technique/light_map.hpp"
 
 namespace cdsm::technique {
@@ -47,6 +48,7 @@ cluster::LightClusters DeepShadowMap::handedOver(const Preparation& to, std::siz
 }
 
 std::vector<MapCluster> DeepShadowMap::planClusters(const Preparation& to, const std::vector<cluster::Caster>& shapes) {
+  const device::HostStep step(device_.profiler().trace(), "plan clusters");
   const Scene& scene = to.scene;
   const bool focused = scene.shadows.clusters > 1;
   const scene::Bounds& bounds = to.deviceScene.bounds();
