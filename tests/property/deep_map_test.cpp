@@ -172,7 +172,7 @@ TEST(LightMaps, areWrittenWholeOrNotAtAll) {
 }
 
 TEST(DeepMaps, areWholeForOpenExrsOwnTools) {
-  if (std::system("exrinfo --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "exrinfo is not installed";
+  if (std::system("command -v exrinfo > /dev/null") != 0) GTEST_SKIP() << "exrinfo is not installed";
   for (const auto layout : {io::MapFileLayout::Scanlines, io::MapFileLayout::Tiles}) {
     const test::TemporaryFolder folder;
     const std::string deep = folder.path("deep.exr"), info = folder.path("info.txt");
@@ -188,7 +188,7 @@ TEST(DeepMaps, areWholeForOpenExrsOwnTools) {
 }
 
 TEST(DeepMaps, flattenToTheTransmittanceBehindThem) {
-  if (std::system("oiiotool --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "oiiotool is not installed";
+  if (std::system("command -v oiiotool > /dev/null") != 0) GTEST_SKIP() << "oiiotool is not installed";
   for (const auto layout : {io::MapFileLayout::Scanlines, io::MapFileLayout::Tiles}) {
     const test::TemporaryFolder folder;
     const std::string deep = folder.path("deep.exr"), flat = folder.path("flat.exr");
