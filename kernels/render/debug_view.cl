@@ -103,9 +103,9 @@ float2 pixelInTexels(__global const MapData* map, uint side, const MapPoint* at,
   return min(size, CDSM_WIDEST_PIXEL);
 }
 
-float probeTransmittance(__global const MapData* map, uint side, const SeenPoint* p, float3 lookup, bool bilinear,
-                         CDSM_MEMORY_READ_PARAMS) {
-  return p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, bilinear, CDSM_MEMORY_READ_ARGS)
+float probeTransmittance(__global const MapData* map, uint side, const SeenPoint* p, float3 lookup, float texelBias,
+                         bool bilinear, CDSM_MEMORY_READ_PARAMS) {
+  return p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, texelBias, bilinear, CDSM_MEMORY_READ_ARGS)
                     : mapTransmittance(map, side, lookup, bilinear, CDSM_MEMORY_READ_ARGS);
 }
 
@@ -130,7 +130,8 @@ MapProbe probePoint(const SeenPoint* p, __global const LightData* light, const V
     if (!at.seen) continue;
     int u = min((int)at.u, map->width - 1), v = min((int)at.v, map->height - 1);
     probe.nodes += texelNodes(map, u, v, CDSM_MEMORY_READ_ARGS).count;
-    float t = probeTransmittance(map, side, p, lookup, technique.bilinear != 0, CDSM_MEMORY_READ_ARGS);
+    float t = probeTransmittance(map, side, p, lookup, technique.texelBias, technique.bilinear != 0,
+                                 CDSM_MEMORY_READ_ARGS);
     float2 pixel = pixelInTexels(map, side, &at, &p->at, view, x, y);
     float sharpness = pixel.x * pixel.y;
     if (t > least + CDSM_SAME_LIGHT || (t >= least - CDSM_SAME_LIGHT && sharpness <= sharpest)) continue;

@@ -206,7 +206,7 @@ SCENES = [
              "shadows.memory_limit_mb=0.001"),
     settings("maps beyond the memory limit however coarse", "even at the largest tolerance",
              "shadows.memory_limit_mb=0.001", "shadows.on_overflow=coarsen"),
-    settings("texels beyond the memory limit", "the maps need at least 256.0 MiB",
+    settings("texels beyond the memory limit", "the maps need at least 32.0 MiB",
              "shadows.memory_limit_mb=0.5", "shadows.map_size=16384"),
     settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
     scene("casting as a word", "casts_shadow is a string, must be true or false",

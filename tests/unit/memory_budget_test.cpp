@@ -70,8 +70,8 @@ TEST(MemoryBudget, FindsTheSmallestToleranceThatFits) {
 }
 
 TEST(MemoryBudget, RefusesTooManyTexelsBeforehand) {
-  EXPECT_NO_THROW(MemoryBudget(settings(1.0f, "coarsen")).requireRoomFor(kMebibyte));
-  EXPECT_THROW(MemoryBudget(settings(1.0f, "coarsen")).requireRoomFor(kMebibyte + 1), Error);
+  EXPECT_NO_THROW(MemoryBudget(settings(1.0f, "coarsen")).requireRoomFor(8 * kMebibyte));
+  EXPECT_THROW(MemoryBudget(settings(1.0f, "coarsen")).requireRoomFor(8 * kMebibyte + 8), Error);
   EXPECT_NO_THROW(MemoryBudget(settings(0.0f, "error")).requireRoomFor(kMebibyte * kMebibyte));
 }
 
