@@ -34,6 +34,8 @@ python3                 tests through the command line, lint
 clang                   checks every variant of the kernels
 clang-format            checks the layout of the C++ sources
 oclgrind                runs kernels under an interpreter that finds races and stray accesses
+openimageio-tools       flattens the deep EXR files that are written
+openexr                 looks at them, too
 mesa-opencl-icd         a second OpenCL implementation, one that reads images
 LIST
 }

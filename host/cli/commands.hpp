@@ -17,6 +17,7 @@ class UsageError : public std::runtime_error {
 void addDevicesCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addTransmittanceCommand(CLI::App& app);
+void addExportMapCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 
 }  // namespace cdsm::cli

@@ -17,10 +17,10 @@ namespace {
 using namespace cdsm::cli;
 
 constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand, addRenderCommand, addTransmittanceCommand,
-                                            addBenchCommand};
+                                            addExportMapCommand, addBenchCommand};
 
 /// Commands of the contract that this version refuses.
-constexpr const char* kLaterCommands[] = {"export-map", "compare"};
+constexpr const char* kLaterCommands[] = {"compare"};
 
 void addLaterCommand(CLI::App& app, const std::string& name) {
   CLI::App* command = app.add_subcommand(name)->group("");  // "": not in the help

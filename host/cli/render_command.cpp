@@ -48,18 +48,27 @@ std::vector<std::string> imagesOf(const RenderOptions& options, const io::FrameR
 void checkFiles(const SceneOptions& options, const std::vector<std::string>& images) {
   for (const std::string& image : images) io::checkImagePath(image);
   std::vector<std::string> files = images;
-  files.insert(files.end(), {options.scene, options.stats});
+  files.insert(files.end(), {options.scene, options.stats, options.trace});
   requireDistinctFiles(files);
 }
 
-/// The scene's picture or the debug picture asked for. What its scale ends at is said on standard output.
-void renderTo(const std::string& image, const RenderOptions& options, SceneRun& run) {
-  if (!options.view) return io::writeImage(image, run.engine().render(run.scene()));
+/// The scene's picture or the debug picture asked for.
+Image renderWith(const RenderOptions& options, SceneRun& run) {
+  if (!options.view) return run.engine().render(run.scene());
   const std::vector<std::string>& names = engine::viewNames();
   const auto view = DebugView(std::find(names.begin(), names.end(), *options.view) - names.begin());
-  io::writeImage(image, run.engine().render(run.scene(), {view, options.light}));
-  const std::optional<ViewStats>& stats = run.engine().stats().view;
-  if (stats->scale) std::cout << image << ": " << stats->name << " from 0 to " << *stats->scale << std::endl;
+  return run.engine().render(run.scene(), {view, options.light});
+}
+
+/// Writes that picture. What a debug picture's scale ends at is said on standard output.
+void renderTo(const std::string& path, const RenderOptions& options, SceneRun& run) {
+  const Image image = renderWith(options, run);
+  {
+    const device::HostStep step = run.step("write image");
+    io::writeImage(path, image);
+  }
+  const std::optional<ViewStats>& view = run.engine().stats().view;
+  if (view && view->scale) std::cout << path << ": " << view->name << " from 0 to " << *view->scale << std::endl;
 }
 
 void renderImage(const RenderOptions& options) {
@@ -76,6 +85,7 @@ void renderFrames(const RenderOptions& options, const io::FrameRange& frames, co
   SceneRun run(options, frames.first);
   std::vector<FrameStats> stats;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
+    const device::HostStep step = run.step("frame " + std::to_string(frame));
     run.goTo(frame, "frame " + std::to_string(frame) + " of " + *options.frames + ": ");
     renderTo(images[frame - frames.first], options, run);
     run.warn();

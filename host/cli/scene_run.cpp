@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "engine/stats_json.hpp"
+#include "engine/trace_json.hpp"
 #include "io/atomic_file.hpp"
 
 namespace cdsm::cli {
@@ -21,16 +22,26 @@ std::string checkedPath(const std::string& path) {
   return path;
 }
 
-EngineOptions engineOptions(const SceneOptions& options, Console& console) {
+EngineOptions engineOptions(const SceneOptions& options, Console& console, const TraceSink& trace) {
   EngineOptions engine;
   engine.device = options.device;
   engine.fetch = options.fetch;
+  engine.trace = trace;
   engine.progress = [&console](const std::string& step, float done) { console.progress(step, done); };
   return engine;
 }
 
 std::string settingProblem(const std::string& setting) {
   return setting.find('=') == std::string::npos ? "'" + setting + "' must be KEY=VALUE" : "";
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  io::AtomicFile file(path);
+  std::ofstream stream(file.temporaryPath(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw Error(Location{path}, "cannot be written, must be on a disk with space");
+  file.commit();
 }
 
 }  // namespace
@@ -46,6 +57,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("--fetch", options.fetch, "How volumes and maps are read [auto]")
       ->check(CLI::IsMember({"auto", "buffer", "image"}));
   command.add_option("--stats", options.stats, "Write times and memory as JSON");
+  command
+      .add_option("--trace", options.trace,
+                  "Write when each kernel, transfer and host step ran, for Perfetto or Chrome")
+      ->type_name("FILE.json");
   command.add_flag("--quiet", options.quiet, "No progress");
 }
 
@@ -61,18 +76,26 @@ void requireDistinctFiles(const std::vector<std::string>& paths) {
   }
 }
 
+TraceLog::TraceLog(bool wanted) {
+  if (wanted) sink_ = [this](const TraceEvent& event) { events_.push_back(event); };
+}
+
+std::string TraceLog::json(const DeviceDescription& device) const { return engine::traceJson(device, events_, begun_); }
+
 SceneRun::SceneRun(const SceneOptions& options, int frame)
     : statsPath_(checkedPath(options.stats)),
+      tracePath_(checkedPath(options.trace)),
+      trace_(!tracePath_.empty()),
       console_(options.quiet),
       reader_(options.scene, options.settings),
       frame_(frame),
-      scene_(reader_.frame(frame)),
-      engine_(engineOptions(options, console_)) {}
+      scene_(trace_.during("read scene", [&] { return reader_.frame(frame); })),
+      engine_(trace_.during("open device", [&] { return Engine(engineOptions(options, console_, trace_.sink())); })) {}
 
 void SceneRun::goTo(int frame, const std::string& label) {
   console_.setLabel(label);
   if (frame == frame_) return;
-  scene_ = reader_.frame(frame);
+  scene_ = trace_.during("read scene", [&] { return reader_.frame(frame); });
   frame_ = frame;
 }
 
@@ -81,13 +104,8 @@ void SceneRun::warn() {
 }
 
 void SceneRun::writeStats(const std::vector<FrameStats>& frames) const {
-  if (statsPath_.empty()) return;
-  io::AtomicFile file(statsPath_);
-  std::ofstream stream(file.temporaryPath(), std::ios::binary);
-  stream << engine::statsJson(engine_.device(), scene_.shadows, frames);
-  stream.close();
-  if (!stream) throw Error(Location{statsPath_}, "cannot be written, must be on a disk with space");
-  file.commit();
+  if (!statsPath_.empty()) writeText(statsPath_, engine::statsJson(engine_.device(), scene_.shadows, frames));
+  if (!tracePath_.empty()) writeText(tracePath_, trace_.json(engine_.device()));
 }
 
 }  // namespace cdsm::cli

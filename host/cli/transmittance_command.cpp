@@ -22,10 +22,14 @@ struct TransmittanceOptions : SceneOptions {
 
 void answer(const TransmittanceOptions& options) {
   if (options.output != kStandardOutput) io::checkOutputPath(options.output);
-  requireDistinctFiles({options.scene, options.points, options.output, options.stats});
+  requireDistinctFiles({options.scene, options.points, options.output, options.stats, options.trace});
   const std::vector<glm::vec3> points = io::readPoints(options.points);
   SceneRun run(options);
-  io::writeTransmittances(options.output, points, run.engine().transmittance(run.scene(), options.light, points));
+  const std::vector<Transmittance> answers = run.engine().transmittance(run.scene(), options.light, points);
+  {
+    const device::HostStep step = run.step("write answers");
+    io::writeTransmittances(options.output, points, answers);
+  }
   run.warn();
   run.writeStats();
 }

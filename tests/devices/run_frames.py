@@ -2,7 +2,7 @@
 """Animations through the command line. run_frames.py CDSM SCENE
 
 Images of a range of frames are byte for byte those of each frame alone and of the still scene with the frame's values;
-statistics hold each frame; an error in the middle leaves the images before it."""
+statistics and trace hold each frame; an error in the middle leaves the images before it."""
 import json
 import pathlib
 import sys
@@ -35,16 +35,32 @@ def rendered(cdsm, scene, image, *arguments):
     return image.read_bytes()
 
 
+def check_trace(events):
+    """One trace of all frames: each with its steps, and the device's commands within them."""
+    spans = {event["name"]: (event["ts"], event["ts"] + event["dur"]) for event in events if event["ph"] == "X"
+             and event["name"].startswith("frame ")}
+    if sorted(spans) != [f"frame {number}" for number in range(FIRST, LAST + 1)]:
+        job.fail(f"the trace holds {sorted(spans)}")
+    for event in events:
+        if event["ph"] == "X" and (event["tid"] == 2 or event["name"] in ("render image", "write image")):
+            inside = [name for name, (begin, end) in spans.items()
+                      if begin <= event["ts"] and event["ts"] + event["dur"] <= end]
+            if len(inside) != 1:
+                job.fail(f"in the trace, {event} lies in {len(inside)} frames")
+
+
 def check_range(cdsm, scene, folder):
     """The images of the frames in one run, by frame."""
-    stats = folder / "stats.json"
-    status, output = render(cdsm, scene, "--frames", f"{FIRST}:{LAST}", "-o", folder / "f_%02d.png", "--stats", stats)
+    stats, trace = folder / "stats.json", folder / "trace.json"
+    status, output = render(cdsm, scene, "--frames", f"{FIRST}:{LAST}", "-o", folder / "f_%02d.png", "--stats", stats,
+                            "--trace", trace)
     names = sorted(path.name for path in folder.iterdir())
-    if status != 0 or names != ["f_03.png", "f_04.png", "f_05.png", "stats.json"]:
+    if status != 0 or names != ["f_03.png", "f_04.png", "f_05.png", "stats.json", "trace.json"]:
         job.fail(f"exit status {status}, files {names}: {output}")
     numbers = [frame["frame"] for frame in json.loads(stats.read_text())["frames"]]
     if numbers != list(range(FIRST, LAST + 1)):
         job.fail(f"statistics hold the frames {numbers}")
+    check_trace(json.loads(trace.read_text())["traceEvents"])
     return {frame: (folder / f"f_{frame:02d}.png").read_bytes() for frame in numbers}
 
 

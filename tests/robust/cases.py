@@ -37,10 +37,11 @@ GOOD_FILES = {
     "points.csv": inputs.POINTS_CSV,
 }
 
-OUTPUTS = ["out.png", "out.csv", "stats.json"]
+OUTPUTS = ["out.png", "out.csv", "out.exr", "stats.json", "trace.json"]
 NAMELESS = ["render", "scene.toml", "--quiet"]
 RENDER = ["render", "scene.toml", "-o", "out.png", "--stats", "stats.json", "--quiet"]
 QUERY = ["transmittance", "scene.toml", "--light", "key", "--points", "points.csv", "-o", "out.csv", "--quiet"]
+EXPORT = ["export-map", "scene.toml", "--light", "key", "-o", "out.exr", "--quiet"]
 
 
 @dataclasses.dataclass
@@ -118,6 +119,11 @@ def works(name, arguments, outputs):
 GOOD_RUNS = [
     works("a good scene renders", RENDER, ("out.png", "stats.json")),
     works("a good query is answered", QUERY, ("out.csv",)),
+    works("good maps are exported", EXPORT + ["--stats", "stats.json"], ("out.exr", "stats.json")),
+    works("a good run is traced", RENDER + ["--trace", "trace.json"], ("out.png", "stats.json", "trace.json")),
+    works("a good query is traced", QUERY + ["--trace", "trace.json"], ("out.csv", "trace.json")),
+    works("a good export is traced", EXPORT + ["--trace", "trace.json"], ("out.exr", "trace.json")),
+    works("good maps are exported in tiles", EXPORT + ["--tiled", "--set", "shadows.memory=atlas"], ("out.exr",)),
     works("a light inside a volume", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"], ("out.png",)),
     works("a closed mesh as boundary", RENDER + ["--set", "volume.smoke.boundary=cup"], ("out.png",)),
     works("an omni light inside a volume", RENDER + ["--set", "light.key.type=omni"]
@@ -342,11 +348,28 @@ QUERIES = [
     points("points with a NaN", b"x,y,z\n1,2,nan\n", "points.csv:2:5"),
 ]
 
+EXPORTS = [
+    Case("export of an unknown light", "no light 'fill'; known: key", replaced(EXPORT, "key", "fill")),
+    Case("export of no scene", "none.toml: ", replaced(EXPORT, "scene.toml", "none.toml")),
+    Case("export of a technique without maps", "'shadow-rays' keeps no deep shadow maps",
+         EXPORT + ["--set", "shadows.technique=shadow-rays"]),
+    Case("export of shadows of nothing", "light 'key' has no maps to write", EXPORT + ["--set", "shadows.clusters=2"]
+         + ["--set", "mesh.cup.casts_shadow=false", "--set", "volume.smoke.casts_shadow=false"]),
+    Case("maps as PNG", "out.png: must end in .exr", replaced(EXPORT, "out.exr", "out.png")),
+    Case("maps in no folder", "none/out.exr", replaced(EXPORT, "out.exr", "none/out.exr")),
+    Case("a folder as maps", "must end in .exr", replaced(EXPORT, "out.exr", ".")),
+    usage("export of no light", "--light is required", ["export-map", "scene.toml", "-o", "out.exr"]),
+    usage("export to no file", "-o is required", ["export-map", "scene.toml", "--light", "key"]),
+    usage("maps over the statistics", "'out.exr' is named twice", EXPORT + ["--stats", "out.exr"]),
+]
+
 RUNS = [
     Case("output in no folder", "none/out.png", ["render", "scene.toml", "-o", "none/out.png"]),
     Case("a folder as output", ".", ["render", "scene.toml", "-o", "."]),
     Case("unknown image format", "out.jpg", ["render", "scene.toml", "-o", "out.jpg"]),
     Case("statistics in no folder", "none/s.json", ["render", "scene.toml", "-o", "out.png", "--stats", "none/s.json"]),
+    Case("a trace in no folder", "none/t.json", RENDER + ["--trace", "none/t.json"]),
+    Case("a folder as trace", "is a folder", EXPORT + ["--trace", "."]),
     Case("answers in no folder", "none/out.csv", replaced(QUERY, "out.csv", "none/out.csv")),
     Case("unknown device", "no such device", RENDER + ["--device", "no such device"]),
     Case("device number out of range", "99:0", RENDER + ["--device", "99:0"]),
@@ -378,6 +401,8 @@ USAGE = [
     usage("override without a value", "must be KEY=VALUE", RENDER + ["--set", "image.width"]),
     usage("query without points", "--points is required", ["transmittance", "scene.toml", "--light", "key"]),
     usage("statistics over the image", "'./out.png' is named twice", replaced(RENDER, "stats.json", "./out.png")),
+    usage("a trace over the statistics", "'stats.json' is named twice", RENDER + ["--trace", "stats.json"]),
+    usage("a trace over the points", "'points.csv' is named twice", QUERY + ["--trace", "points.csv"]),
     usage("statistics over the scene", "'scene.toml' is named twice", replaced(RENDER, "stats.json", "scene.toml")),
     usage("answers over the points", "'points.csv' is named twice", replaced(QUERY, "out.csv", "points.csv")),
     usage("no suite", "SUITE is required", ["bench"]),
@@ -390,10 +415,7 @@ USAGE = [
          {"papers/clustering/camera_b.toml": GOOD_SCENE.replace(b"closed.obj", b"../generated/cup.ply")}),
     Case("figures in no folder", "none/out.json", ["bench", "demo", "--json", "none/out.json"]),
     usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
-    usage(
-        "unsupported command with options",
-        "'export-map' is not supported yet", ["export-map", "scene.toml", "-o", "out.exr"],
-    ),
+    usage("unsupported command with options", "'compare' is not supported yet", ["compare", "scene.toml", "--quiet"]),
 ]
 
 FRAMES = [
@@ -423,5 +445,5 @@ LATER = [
     )
 ] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
 
-CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + QUERIES + RUNS + VIEWS + USAGE + FRAMES +
-         LATER)
+CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + QUERIES + EXPORTS + RUNS + VIEWS + USAGE
+         + FRAMES + LATER)

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include <cdsm/error.hpp>
+#include <cdsm/light_map.hpp>
 #include <cdsm/scene.hpp>
 #include <cdsm/stats.hpp>
+#include <cdsm/trace.hpp>
 
 namespace cdsm {
 
@@ -38,6 +40,7 @@ struct EngineOptions {
   std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
   std::string fetch = "auto";  ///< auto | buffer | image
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
+  TraceSink trace;  ///< gets every kernel, transfer and host step; may be empty
 };
 
 /// RGBA, linear, row after row from the top, premultiplied by nothing: alpha is the opacity in front of the background.
@@ -90,6 +93,10 @@ class Engine {
   /// without bias [Knecht 2011, §3.3]. Throws Error for an unknown light.
   std::vector<Transmittance> transmittance(const Scene& scene, const std::string& light,
                                            const std::vector<glm::vec3>& points);
+
+  /// The deep shadow maps of the light of that name, as transmittance() looks them up, in host memory. None if nothing
+  /// that casts is in the light's reach. Throws Error for an unknown light, and if the scene's technique has no maps.
+  std::vector<LightMap> lightMaps(const Scene& scene, const std::string& light);
 
   /// What the last call did: device times, maps, memory.
   const FrameStats& stats() const;

@@ -2,6 +2,7 @@
 #include "build/map_pass.hpp"
 
 #include "build/variant.hpp"
+#include "device/host_step.hpp"
 
 namespace cdsm::build {
 
@@ -32,6 +33,7 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
   const device::ArgumentList marchArguments = accuracy.everywhere ? curves.arguments() : device::ArgumentList();
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (kept[i] != memory::kBuildAnew) continue;
+    const device::HostStep step(device_.profiler().trace(), "build map " + std::to_string(i));
     const ObjectSet casters = scene.castingObjects(jobs[i].casters);
     for (bool complete = false; !complete;) {
       device_.profiler().beginGroup("rasterize");

@@ -37,7 +37,7 @@ void BufferStorage::write(const void* source, std::size_t bytes, std::size_t off
   cl::Event event;
   guarded("upload of buffer '" + name_ + "'",
           [&] { device.queue().enqueueWriteBuffer(buffer_, CL_TRUE, offset, bytes, source, nullptr, &event); });
-  device.profiler().record("upload " + name_, event);
+  device.profiler().record("upload " + name_, event, {bytes});
 }
 
 void BufferStorage::read(void* target, std::size_t bytes, std::size_t offset) const {
@@ -46,7 +46,7 @@ void BufferStorage::read(void* target, std::size_t bytes, std::size_t offset) co
   cl::Event event;
   guarded("download of buffer '" + name_ + "'",
           [&] { device.queue().enqueueReadBuffer(buffer_, CL_TRUE, offset, bytes, target, nullptr, &event); });
-  device.profiler().record("download " + name_, event);
+  device.profiler().record("download " + name_, event, {bytes});
 }
 
 void BufferStorage::fill(const void* pattern, std::size_t patternBytes, std::size_t bytes) {
@@ -57,7 +57,7 @@ void BufferStorage::fill(const void* pattern, std::size_t patternBytes, std::siz
   const cl_int code =
       clEnqueueFillBuffer(device.queue()(), buffer_(), pattern, patternBytes, 0, bytes, 0, nullptr, &event);
   if (code != CL_SUCCESS) throw deviceError(cl::Error(code, "clEnqueueFillBuffer"), "fill of buffer '" + name_ + "'");
-  device.profiler().record("fill " + name_, cl::Event(event));
+  device.profiler().record("fill " + name_, cl::Event(event), {bytes});
 }
 
 void BufferStorage::checkRange(std::size_t offset, std::size_t count, std::size_t size) const {

@@ -22,7 +22,7 @@ void copyElements(Device& device, const Buffer<T>& from, std::size_t first, std:
     device.queue().enqueueCopyBuffer(from.cl(), to.cl(), first * sizeof(T), offset * sizeof(T), count * sizeof(T),
                                      nullptr, &event);
   });
-  device.profiler().record("copy " + from.name(), event);
+  device.profiler().record("copy " + from.name(), event, {count * sizeof(T)});
 }
 
 /// A box of elements in a 3D grid that a buffer holds row after row, slice after slice.
@@ -43,7 +43,7 @@ void copyBox(Device& device, const Buffer<T>& from, const GridPlace& source, Buf
         {size[0] * sizeof(T), size[1], size[2]}, source.width * sizeof(T), source.width * source.height * sizeof(T),
         target.width * sizeof(T), target.width * target.height * sizeof(T), nullptr, &event);
   });
-  device.profiler().record("copy " + from.name(), event);
+  device.profiler().record("copy " + from.name(), event, {size[0] * size[1] * size[2] * sizeof(T)});
 }
 
 }  // namespace cdsm::device

@@ -22,6 +22,12 @@ bool isEmpty(const cl::NDRange& range) {
   return range.dimensions() == 0;
 }
 
+std::uint64_t itemsOf(const cl::NDRange& range) {
+  std::uint64_t items = 1;
+  for (std::size_t axis = 0; axis < range.dimensions(); ++axis) items *= range.get()[axis];
+  return items;
+}
+
 /// `global` rounded up to whole work groups.
 cl::NDRange wholeGroups(const cl::NDRange& global, const cl::NDRange& local) {
   std::size_t size[3] = {1, 1, 1};
@@ -68,7 +74,7 @@ void KernelBase::enqueue(const Launch& launch) {
     device_->queue().enqueueNDRangeKernel(kernel_, cl::NullRange, wholeGroups(launch.global, launch.local),
                                           launch.local, nullptr, &event);
   });
-  device_->profiler().record(launch.name, event);
+  device_->profiler().record(launch.name, event, {0, itemsOf(launch.global)});
 }
 
 }  // namespace cdsm::device

@@ -24,10 +24,16 @@ double duration(const cl::Event& event) {
   }
 }
 
+bool hasFinished(const cl::Event& event) {
+  return event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE;  // errors are negative
+}
+
 }  // namespace
 
-void Profiler::record(const std::string& name, const cl::Event& event) {
-  pending_.push_back({name, group_, event});
+void Profiler::record(const std::string& name, const cl::Event& event, const CommandSize& size) {
+  Enqueued command{name, group_, size, std::chrono::steady_clock::now()};
+  if (sink_) command.finished = guarded("launch of '" + name + "'", [&] { return hasFinished(event); });
+  pending_.push_back({std::move(command), event});
   if (pending_.size() > kPendingBeforeFolding) foldFinished();
 }
 
@@ -52,16 +58,21 @@ double Profiler::groupMilliseconds(const std::string& group) {
   return sum;
 }
 
+void Profiler::flushTrace() {
+  foldAll();
+  trace_.sendTo(sink_);
+}
+
 void Profiler::reset() {
+  trace_.clear();
   pending_.clear();
   entries_.clear();
 }
 
 void Profiler::foldFinished() {
   while (!pending_.empty()) {
-    const cl_int status = guarded("launch of '" + pending_.front().name + "'",
-                                  [&] { return pending_.front().event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); });
-    if (status > CL_COMPLETE) return;
+    const Pending& front = pending_.front();
+    if (!guarded("launch of '" + front.command.name + "'", [&] { return hasFinished(front.event); })) return;
     foldFront();
   }
 }
@@ -73,11 +84,12 @@ void Profiler::foldAll() {
 void Profiler::foldFront() {
   const Pending front = std::move(pending_.front());
   pending_.pop_front();  // before anything can throw: a failed launch is told once
-  guarded("launch of '" + front.name + "'", [&] {
+  guarded("launch of '" + front.command.name + "'", [&] {
     front.event.wait();
-    Entry& sum = entry(front.name, front.group);
+    Entry& sum = entry(front.command.name, front.command.group);
     sum.milliseconds += duration(front.event);
     ++sum.launches;
+    if (sink_) trace_.add(front.command, front.event);
   });
 }
 

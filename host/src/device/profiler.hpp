@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Device times of launches and transfers. In: events with their human names, grouped by the step of the frame;
-// out: milliseconds per name and per group, from the device's own clock.
+// out: milliseconds per name and per group, from the device's own clock, and a trace for those who want one.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <CL/opencl.hpp>
 #include <cdsm/stats.hpp>
 
+#include "device/command_trace.hpp"
+
 namespace cdsm::device {
 
 /// Used by one thread at a time, as its Device is. Events are read when a result is asked for, or once they are done.
@@ -20,7 +22,14 @@ class Profiler {
   void beginGroup(std::string group) { group_ = std::move(group); }
   const std::string& group() const { return group_; }
 
-  void record(const std::string& name, const cl::Event& event);
+  /// Call it as soon as the command is enqueued.
+  void record(const std::string& name, const cl::Event& event, const CommandSize& size = {});
+
+  /// Where traced events go; empty: none are kept. Steps of the host go there at once.
+  void setTrace(TraceSink sink) { sink_ = std::move(sink); }
+  const TraceSink& trace() const { return sink_; }
+  /// Sends the commands that have been recorded since the last time or reset(). Waits and throws as kernels() does.
+  void flushTrace();
 
   /// Sums by name over all groups, in the order of the first record. Waits for what still runs; throws DeviceError
   /// for a launch that failed on the device.
@@ -32,8 +41,7 @@ class Profiler {
 
  private:
   struct Pending {
-    std::string name;
-    std::string group;
+    Enqueued command;
     cl::Event event;
   };
   struct Entry {
@@ -49,6 +57,8 @@ class Profiler {
   Entry& entry(const std::string& name, const std::string& group);
 
   std::string group_;
+  TraceSink sink_;
+  CommandTrace trace_;
   std::deque<Pending> pending_;
   std::vector<Entry> entries_;
 };

@@ -8,6 +8,7 @@
 #include "device/binary_cache.hpp"
 #include "device/cl_error.hpp"
 #include "device/device.hpp"
+#include "device/host_step.hpp"
 
 namespace cdsm::device {
 namespace {
@@ -74,6 +75,7 @@ const cl::Program& ProgramCache::get(const ProgramSource& source) {
     ++counts_.memoryHits;
     return known->second;
   }
+  const HostStep step(device_.profiler().trace(), "make " + doing);
   cl::Program program = guarded(doing, [&] { return make(source.entry, text, key); });
   return programs_.emplace(key, std::move(program)).first->second;
 }

@@ -78,7 +78,7 @@ VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& s
     image_ = cl::Image3D(device.context(), CL_MEM_READ_ONLY, cl::ImageFormat(CL_R, type), size[0], size[1], size[2]);
     device.queue().enqueueWriteImage(image_, CL_TRUE, {0, 0, 0}, size, 0, 0, voxels, nullptr, &event);
   });
-  device.profiler().record("upload " + name, event);
+  device.profiler().record("upload " + name, event, {bytes});
 }
 
 std::array<std::size_t, 2> NodeTexture::maxSize(const Device& device) {
@@ -122,7 +122,7 @@ void NodeTexture::fill(const cl::Buffer& source, std::size_t byteOffset) {
     device_->queue().enqueueCopyBufferToImage(source, image_, byteOffset, {0, 0, 0}, {width_, height_, 1}, nullptr,
                                               &event);
   });
-  device_->profiler().record("fill " + name_, event);
+  device_->profiler().record("fill " + name_, event, {width_ * height_ * kNodeTexelBytes});
 }
 
 }  // namespace cdsm::device

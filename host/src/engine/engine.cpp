@@ -62,4 +62,9 @@ std::vector<Transmittance> Engine::transmittance(const Scene& scene, const std::
   return impl_->frame.transmittance(scene, lightNumber(scene, light), points);
 }
 
+std::vector<LightMap> Engine::lightMaps(const Scene& scene, const std::string& light) {
+  impl_->frame.check(scene);
+  return impl_->frame.lightMaps(scene, lightNumber(scene, light));
+}
+
 }  // namespace cdsm

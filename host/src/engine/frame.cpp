@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "cluster/light_camera.hpp"
+#include "device/host_step.hpp"
 #include "engine/supersampling.hpp"
 #include "scene/changes.hpp"
 #include "scene/light_names.hpp"
@@ -20,7 +21,12 @@ FrameState::FrameState(const EngineOptions& options)
       raster_(*device_),
       shade_(*device_),
       query_(*device_),
-      debug_(*device_) {}
+      debug_(*device_),
+      mapReader_(*device_) {
+  device_->profiler().setTrace(options_.trace);
+}
+
+device::HostStep FrameState::step(const char* name) const { return {device_->profiler().trace(), name}; }
 
 void FrameState::check(const Scene& scene) {
   if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
@@ -31,6 +37,7 @@ void FrameState::check(const Scene& scene) {
 }
 
 Image FrameState::render(const Scene& scene) {
+  const device::HostStep traced = step("render image");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
 
@@ -52,6 +59,7 @@ build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
 }
 
 render::ShadedView FrameState::shade(const Scene& scene) {
+  const device::HostStep traced = step("shade view");
   render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_);
   stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
   return shaded;
@@ -59,6 +67,7 @@ render::ShadedView FrameState::shade(const Scene& scene) {
 
 std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,
                                                      const std::vector<glm::vec3>& points) {
+  const device::HostStep traced = step("answer query");
   beginStats();
   prepare(scene, cluster::Purpose::Points);
   device_->profiler().beginGroup("render");
@@ -68,6 +77,20 @@ std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::si
   for (const float value : values) results.push_back({std::uint8_t(value >= 0.0f), std::max(value, 0.0f)});
   finishStats(scene);
   return results;
+}
+
+std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t light) {
+  const device::HostStep traced = step("read maps");
+  beginStats();
+  prepare(scene, cluster::Purpose::Points);
+  device_->profiler().beginGroup("read maps");
+  std::vector<LightMap> maps = technique_->lightMaps(scene, light);
+  shared::LightData data{};
+  technique_->describeLight(light, data);
+  for (std::size_t i = 0; i < maps.size(); ++i)
+    mapReader_.run(scene, deviceScene_, *technique_, data.firstMap + i, maps[i]);
+  finishStats(scene);
+  return maps;
 }
 
 void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
@@ -87,12 +110,14 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
 }
 
 void FrameState::uploadObjects(const Scene& scene) {
+  const device::HostStep traced = step("upload objects");
   progress("upload", 0.0f);
   device_->profiler().beginGroup("upload");
   deviceScene_.update(scene);
 }
 
 void FrameState::prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged) {
+  const device::HostStep traced = step("prepare shadows");
   progress("shadows", 0.0f);
   device_->profiler().beginGroup("build maps");
   const build::RasterPass::Report report = [this](const std::string& what) { this->report(what); };
@@ -121,6 +146,7 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
+  profiler.flushTrace();
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();

@@ -11,7 +11,9 @@
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
 #include "device/device.hpp"
+#include "device/host_step.hpp"
 #include "render/debug_pass.hpp"
+#include "render/map_reader.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
 #include "scene/data_checks.hpp"
@@ -31,6 +33,7 @@ class FrameState {
   /// `light`: number of the one whose maps are shown.
   Image renderView(const Scene& scene, DebugView view, std::size_t light);
   std::vector<Transmittance> transmittance(const Scene& scene, std::size_t light, const std::vector<glm::vec3>& points);
+  std::vector<LightMap> lightMaps(const Scene& scene, std::size_t light);
 
   const DeviceDescription& device() const { return device_->description(); }
   const FrameStats& stats() const { return stats_; }
@@ -43,6 +46,7 @@ class FrameState {
   void uploadLights(const Scene& scene);
   /// The camera's fragments. They are used up by the pass that walks them.
   build::Layers& rasterizeCamera(const Scene& scene);
+  /// The camera's image, rays in place of pixels.
   render::ShadedView shade(const Scene& scene);
   /// Number of the light whose maps are asked about.
   std::vector<shared::MapProbe> probe(const Scene& scene, std::size_t light);
@@ -50,6 +54,8 @@ class FrameState {
   std::vector<shared::float4> texelRays(const Scene& scene, std::size_t light);
   /// Counts of the views that show some, by ray; kNothing where there is nothing.
   std::vector<std::int64_t> viewCounts(const Scene& scene, DebugView view, std::size_t light);
+  /// A step of the host for the trace, as long as it lives.
+  device::HostStep step(const char* name) const;
   void beginStats();
   void finishStats(const Scene& scene);
   void report(const std::string& what);
@@ -62,6 +68,7 @@ class FrameState {
   render::ShadePass shade_;
   render::QueryPass query_;
   render::DebugPass debug_;
+  render::MapReader mapReader_;
   std::unique_ptr<technique::ShadowTechnique> technique_;
   device::Buffer<shared::LightData> lights_;
   scene::DataChecks dataChecks_;

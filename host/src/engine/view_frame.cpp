@@ -11,6 +11,7 @@
 namespace cdsm::engine {
 
 Image FrameState::renderView(const Scene& scene, DebugView view, std::size_t light) {
+  const device::HostStep traced = step("render debug picture");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
   stats_.view = ViewStats{nameOf(view), {}};

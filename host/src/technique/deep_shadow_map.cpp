@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "cluster/light_camera.hpp"
+#include "device/host_step.hpp"
 #include "scene/range.hpp"
+#include "technique/light_map.hpp"
 #include "technique/memory_budget.hpp"
 
 namespace cdsm::technique {
@@ -91,6 +93,7 @@ cluster::LightClusters DeepShadowMap::handedOver(const Preparation& to, std::siz
 }
 
 std::vector<MapCluster> DeepShadowMap::planClusters(const Preparation& to, const std::vector<cluster::Caster>& shapes) {
+  const device::HostStep step(device_.profiler().trace(), "plan clusters");
   const Scene& scene = to.scene;
   const bool focused = scene.shadows.clusters > 1;
   const scene::Bounds& bounds = to.deviceScene.bounds();
@@ -161,6 +164,19 @@ device::ArgumentList DeepShadowMap::arguments() const {
   const device::ArgumentList nodes = memory_->readArguments();
   list.insert(list.end(), nodes.begin(), nodes.end());
   return list;
+}
+
+std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t light) const {
+  const LightMaps& ofLight = lightMaps_[light];
+  std::vector<LightMap> maps;
+  for (const MapCluster& cluster : clusters_) {
+    if (cluster.light != light) continue;
+    for (std::size_t view = 0; view < cluster.views.size(); ++view) {
+      maps.push_back(describeMap(scene, cluster, view));
+      if (ofLight.formerCount > 0) maps.back().share = cluster.former ? 1.0f - ofLight.share : ofLight.share;
+    }
+  }
+  return maps;
 }
 
 void DeepShadowMap::addStats(const Scene& scene, FrameStats& stats) const {

@@ -27,6 +27,7 @@ class DeepShadowMap : public ShadowTechnique {
   shared::TechniqueParams params(const Scene& scene) const override;
   device::ArgumentList arguments() const override;
   const std::vector<MapCluster>* clusters() const override { return &clusters_; }
+  std::vector<LightMap> lightMaps(const Scene& scene, std::size_t light) const override;
   void addStats(const Scene& scene, FrameStats& stats) const override;
 
  private:

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include <cdsm/error.hpp>
+#include <cdsm/light_map.hpp>
 #include <cdsm/scene.hpp>
 #include <cdsm/stats.hpp>
 
@@ -47,6 +49,13 @@ class ShadowTechnique {
 
   /// The clusters of all lights with their maps; null for techniques that have none.
   virtual const std::vector<MapCluster>* clusters() const { return nullptr; }
+
+  /// The maps of light number `light`, in the order of describeLight(), without their nodes. Throws Error for a
+  /// technique that has none.
+  virtual std::vector<LightMap> lightMaps(const Scene& scene, std::size_t) const {
+    throw Error("the technique '" + scene.shadows.technique +
+                "' keeps no deep shadow maps; shadows.technique must be deep-shadow-map");
+  }
 
   /// Adds its maps and memory.
   virtual void addStats(const Scene& scene, FrameStats& stats) const = 0;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes of a finished map, however they are stored -> plain arrays, texel after texel.
+#include CDSM_MEMORY
+
+/// A work item per texel of map `index`.
+__kernel void countMapNodes(uint index, MemoryParams memory, __global uint* counts, __global const MapData* maps,
+                            CDSM_MEMORY_READ_BUFFERS) {
+  int texel = (int)get_global_id(0), width = maps[index].width;
+  if (texel >= width * maps[index].height) return;
+  counts[texel] = texelNodes(&maps[index], texel % width, texel / width, CDSM_MEMORY_READ_ARGS).count;
+}
+
+/// `starts`: prefix sums of the counts.
+__kernel void copyMapNodes(uint index, MemoryParams memory, __global const uint* starts, __global Node* nodes,
+                           __global const MapData* maps, CDSM_MEMORY_READ_BUFFERS) {
+  int texel = (int)get_global_id(0), width = maps[index].width;
+  if (texel >= width * maps[index].height) return;
+  TexelNodes from = texelNodes(&maps[index], texel % width, texel / width, CDSM_MEMORY_READ_ARGS);
+  for (uint i = 0; i < from.count; ++i) nodes[starts[texel] + i] = readNode(from.first, i, CDSM_MEMORY_READ_ARGS);
+}
