@@ -36,7 +36,7 @@ def files_with(folder, text):
 
 # What a text may mention, and the values to try; None: not defined.
 CHOICES = {
-    "CDSM_TECHNIQUE": files_with("technique", "lightTransmittancePoint("),
+    "CDSM_TECHNIQUE": files_with("technique", "#define CDSM_TECHNIQUE_PARAMS"),
     "CDSM_MEMORY": files_with("memory", "beginNodes("),
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
     "CDSM_BATCH": ["4", "8"],
