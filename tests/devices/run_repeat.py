@@ -3,7 +3,7 @@
 """Same input, same device, same build: the same bytes. run_repeat.py CDSM SCENE_FOLDER
 
 Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of both memory strategies
-and of shadow rays."""
+of shadow rays and of shadow maps."""
 import pathlib
 import sys
 import tempfile
@@ -11,7 +11,8 @@ import tempfile
 import job
 
 TIMEOUT_SECONDS = 120
-SETTINGS = [["shadows.memory=chunked"], ["shadows.memory=atlas"], ["shadows.technique=shadow-rays"]]
+SETTINGS = [["shadows.memory=chunked"], ["shadows.memory=atlas"], ["shadows.technique=shadow-rays"],
+            ["shadows.technique=shadow-map"]]
 IMAGE = ["image.width=90", "image.height=60"]
 RUNS = [{"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "1"}]
 

@@ -21,6 +21,7 @@ std::vector<Case> cases() {
   return {{"EverythingChunked", maps(everythingScene(), "chunked")},
           {"EverythingAtlas", maps(everythingScene(), "atlas")},
           {"EverythingRays", along(everythingScene(), "shadow-rays", "chunked", "bilinear")},
+          {"EverythingDepths", along(everythingScene(), "shadow-map", "chunked", "bilinear")},
           {"VolumeChunked", maps(volumeScene(VoxelType::UInt8), "chunked")},
           {"VolumeNone", along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear")},
           {"CutAtlas", maps(cutScene(), "atlas")},

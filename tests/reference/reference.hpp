@@ -25,6 +25,11 @@ bool lit(const Light& light, const glm::dvec3& point);
 /// the extinction), of all that casts a shadow, by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
+/// 0 if a surface or sample strictly between the light and the point is more opaque than the threshold, else 1. Opacity
+/// of a sample: of each volume at its value, per the volume's unit distance; of an interior per world unit.
+double opaqueTransmittance(const World& world, const Light& light, const glm::dvec3& point, double threshold,
+                           double step = kFineStep);
+
 /// The way from a point to the light, of unit length.
 glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point);
 

@@ -124,6 +124,10 @@ GOOD_RUNS = [
     Case("a directional light", "", RENDER, {"scene.toml": directional(b"[0, -1, 0]")}, 0, ("out.png",)),
     works("objects that cast and receive nothing", RENDER + ["--set", "mesh.cup.casts_shadow=false"]
           + ["--set", "volume.smoke.receives_shadow=false", "--set", "mesh.cup.cluster_weight=1000"], ("out.png",)),
+    works("a light inside a volume and a wide filter", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"]
+          + ["--set", "shadows.technique=shadow-map", "--set", "shadows.pcf=16"], ("out.png",)),
+    works("a query by opaque rays", QUERY + ["--set", "shadows.technique=shadow-rays", "--set", "shadows.rays=opaque"]
+          + ["--set", "shadows.threshold=0"], ("out.csv",)),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
 ]
 
@@ -177,6 +181,14 @@ SCENES = [
     settings("too many clusters", "clusters is 65, must be in [1, 64]", "shadows.clusters=65"),
     settings("cluster distance of 0", "cluster_distance is 0, must be in (0, 2.83]", "shadows.cluster_distance=0"),
     settings("cluster distance with a NaN", "cluster_distance is nan", "shadows.cluster_distance=nan"),
+    settings("rays of another kind", "rays is 'fuzzy', must be one of exact, opaque", "shadows.rays=fuzzy"),
+    settings("threshold of 1", "threshold is 1, must be in [0, 1)", "shadows.threshold=1"),
+    settings("threshold below 0", "threshold is -0.1, must be in [0, 1)", "shadows.threshold=-0.1"),
+    settings("threshold with a NaN", "threshold is nan", "shadows.threshold=nan"),
+    settings("threshold as a text", "threshold is a string", "shadows.threshold='half'"),
+    settings("too wide a filter", "pcf is 17, must be in [0, 16] texels", "shadows.pcf=17"),
+    settings("pcf below 0", "pcf is -1, must be in [0, 16] texels", "shadows.pcf=-1"),
+    settings("pcf of half a texel", "pcf is a float", "shadows.pcf=0.5"),
     settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
     scene("casting as a word", "casts_shadow is a string, must be true or false",
           b"closed.obj\"", b"closed.obj\"\ncasts_shadow = 'no'"),
@@ -299,7 +311,6 @@ FRAMES = [
 LATER = [
     settings(f"unsupported {value}", "not supported yet", value)
     for value in (
-        "shadows.technique=shadow-map",
         "shadows.technique=stochastic",
         "shadows.memory=tiled",
         "shadows.transmittance=rgb",

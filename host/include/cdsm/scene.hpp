@@ -37,6 +37,9 @@ struct ShadowSettings {
   int mapSize = 512;                ///< texels per side
   float tolerance = 0.01f;          ///< epsilon of the compression, in opacity, in [0, 1)
   std::string filter = "bilinear";  ///< bilinear | nearest
+  std::string rays = "exact";       ///< shadow-rays: exact | opaque
+  float threshold = 0.5f;           ///< shadow-map, opaque rays: opacity above which all light is stopped, in [0, 1)
+  int pcf = 1;                      ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
   int clusters = 1;                 ///< the most clusters of casters per light; 1: no clustering
   float clusterDistance = 0.25f;    ///< d0, in units of the light-space-perspective [-1, 1] square
   bool stable = false;              ///< hand over smoothly when clusters change; frames depend on those before

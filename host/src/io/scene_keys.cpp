@@ -24,6 +24,7 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
       {"map_size", KeyShape::Integer},
       {"tolerance", KeyShape::Number},
       {"filter", KeyShape::Text},
+      {"rays", KeyShape::Text},
       {"step", KeyShape::Number},
       {"bias", KeyShape::Number},
       {"transmittance", KeyShape::Text},

@@ -88,8 +88,9 @@ LightChange lightChange(const Light& a, const Light& b) {
 }
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
-  return std::tie(a.technique, a.memory, a.mapSize, a.tolerance, a.step) ==
-         std::tie(b.technique, b.memory, b.mapSize, b.tolerance, b.step);
+  if (std::tie(a.technique, a.mapSize, a.step) != std::tie(b.technique, b.mapSize, b.step)) return false;
+  if (a.technique == "shadow-map") return a.threshold == b.threshold;
+  return std::tie(a.memory, a.tolerance) == std::tie(b.memory, b.tolerance);
 }
 
 }  // namespace cdsm::scene

@@ -98,12 +98,17 @@ void validateImage(const ImageSettings& image) {
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
+  requireRange(shadows.threshold, kThreshold, "shadows threshold");
+  requireRange(shadows.pcf, kPcf, "shadows pcf");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
   requireRange(shadows.bias, kNotNegative, "shadows bias");
   if (shadows.filter != "bilinear" && shadows.filter != "nearest") {
     throw Error("shadows filter is '" + shadows.filter + "', must be bilinear or nearest");
+  }
+  if (shadows.rays != "exact" && shadows.rays != "opaque") {
+    throw Error("shadows rays is '" + shadows.rays + "', must be exact or opaque");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "memory/chunked.hpp"
 #include "technique/deep_shadow_map.hpp"
 #include "technique/none.hpp"
+#include "technique/shadow_map.hpp"
 #include "technique/shadow_rays.hpp"
 
 namespace cdsm::technique {
@@ -40,6 +41,7 @@ const E& find(const E (&entries)[Count], const std::string& name, const char* wh
 const TechniqueEntry kTechniques[] = {
     {"none", [](const ShadowSettings&, device::Device&) { return std::make_unique<None>(); }},
     {"shadow-rays", [](const ShadowSettings&, device::Device& device) { return std::make_unique<ShadowRays>(device); }},
+    {"shadow-map", [](const ShadowSettings&, device::Device& device) { return std::make_unique<ShadowMap>(device); }},
     {"deep-shadow-map",
      [](const ShadowSettings& settings, device::Device& device) {
        return std::make_unique<DeepShadowMap>(device, find(kMemories, settings.memory, "memory strategy").make(device));
