@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Same input, same device, same build: the same bytes. run_repeat.py CDSM SCENE_FOLDER
 
-Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of both memory strategies
+Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of both memory strategies,
 of shadow rays and of shadow maps."""
 import pathlib
 import sys

@@ -50,13 +50,17 @@ std::vector<float> answers(const OpaquePath& path, const Scene& scene, double th
   return values;
 }
 
-/// The same answer as far as the filter reaches, nearer and farther, and with the engine's step.
+/// A sample just over the threshold may be alone, and steps from elsewhere miss it.
+constexpr double kMargin = 0.04;
+
+/// The same answer as far as the filter reaches, nearer and farther, with the engine's step and thresholds near by.
 bool isClear(const World& world, const Light& light, const glm::dvec3& point, double threshold, double exact) {
   const LightFrame frame(world.scene, light, kMapSize, point);
   const glm::dvec3 at = frame.coordinates(point);
   const double reach = kReach * frame.texel(), deeper = std::max(kReach * frame.texelAt(at.z), 0.1);
   const auto same = [&](const glm::dvec3& p, double step) {
-    return reference::lit(light, p) && opaqueTransmittance(world, light, p, threshold, step) == exact;
+    return reference::lit(light, p) && opaqueTransmittance(world, light, p, threshold - kMargin, step) == exact &&
+           opaqueTransmittance(world, light, p, threshold + kMargin, step) == exact;
   };
   for (int dx = -2; dx <= 2; ++dx)
     for (int dy = -2; dy <= 2; ++dy)
@@ -94,6 +98,7 @@ class OpaqueScenes : public ::testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(OpaqueScenes, agreeWithBruteForce) {
   Scene scene = reference::randomScene(GetParam());
+  scene.shadows.step = 0.01f;  // shells of transfer functions may be thinner than half a voxel
   if (GetParam() % 2 == 0) scene.lights = reference::otherLights(GetParam());
   if (GetParam() % 3 == 0) reference::giveRandomRoles(scene, GetParam());
   for (const double threshold : {0.15, 0.45}) {
@@ -217,16 +222,11 @@ TEST(ShadowMap, filtersAsWideAsItIsTold) {
   Scene scene = reference::emptyScene();
   reference::addMesh(scene, reference::quadMesh({1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 2.0f}),
                      reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
-  const LightFrame frame(scene, scene.lights.front(), kMapSize);
-  const glm::dvec3 edge = frame.coordinates(glm::dvec3(0.0, 0.0, 0.013));
+  const double texel = LightFrame(scene, scene.lights.front(), kMapSize).texelAt(5.0);
+  std::vector<glm::vec3> points;  // below the light, where the edge's shadow is
+  const int count = 400;
+  for (int i = 0; i <= count; ++i) points.emplace_back(16.0 * (double(i) / count - 0.5) * texel, -1.0, 0.013);
   for (const int pcf : {0, 1, 2, 5}) {
-    std::vector<glm::vec3> points;
-    const int count = 400;
-    for (int i = 0; i <= count; ++i) {
-      const double texels = 16.0 * (double(i) / count - 0.5);
-      const bool right = frame.point(1.0, 0.0, 1.0).x > frame.point(0.0, 0.0, 1.0).x;
-      points.emplace_back(frame.point(edge.x + (right ? 1.0 : -1.0) * texels * frame.texel(), edge.y, edge.z + 1.0));
-    }
     const std::vector<float> ramp = answers({"", "shadow-map", "bilinear", pcf}, scene, 0.5, points);
     double between = 0.0;
     for (std::size_t i = 0; i < ramp.size(); ++i) {

@@ -46,7 +46,8 @@ Visibility visibility(const World& world, const Light& light, const glm::dvec3& 
 /// The ray of the camera through a position on the image: pixels, y down, the centre of the first pixel at 0.5, 0.5.
 Ray cameraRay(const Scene& scene, double px, double py);
 
-/// Linear colour over the background and opacity of one camera ray; with technique "none" nothing casts a shadow.
+/// Linear colour over the background and opacity of one camera ray; with technique "none" nothing casts a shadow,
+/// with "shadow-map" and opaque rays the threshold decides.
 /// Segments with volumes are sampled at the engine's step, interior media alone with 64 samples per segment.
 glm::dvec4 pixel(const World& world, double px, double py);
 
