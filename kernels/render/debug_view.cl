@@ -5,7 +5,7 @@
 #include "common/segments.clh"
 #include "common/surface.clh"
 #include "shared/debug_data.h"
-#include "technique/light_track.clh"
+#include "technique/deep_shadow_map.clh"
 
 /// Transparency below which something is seen: less opacity changes no 8-bit pixel.
 #define CDSM_UNSEEN (254.0f / 255.0f)
@@ -103,10 +103,10 @@ float2 pixelInTexels(__global const MapData* map, uint side, const MapPoint* at,
   return min(size, CDSM_WIDEST_PIXEL);
 }
 
-float probeTransmittance(__global const MapData* map, uint side, const SeenPoint* p, float3 lookup, float texelBias,
-                         bool bilinear, CDSM_MEMORY_READ_PARAMS) {
-  return p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, texelBias, bilinear, CDSM_MEMORY_READ_ARGS)
-                    : mapTransmittance(map, side, lookup, bilinear, CDSM_MEMORY_READ_ARGS);
+float probeTransmittance(__global const MapData* map, uint side, const SeenPoint* p, float3 lookup,
+                         CDSM_TECHNIQUE_PARAMS) {
+  return p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, CDSM_TECHNIQUE_ARGS)
+                    : mapTransmittance(map, side, lookup, CDSM_TECHNIQUE_ARGS);
 }
 
 /// Transmittances that differ by less are taken for the same.
@@ -130,8 +130,7 @@ MapProbe probePoint(const SeenPoint* p, __global const LightData* light, const V
     if (!at.seen) continue;
     int u = min((int)at.u, map->width - 1), v = min((int)at.v, map->height - 1);
     probe.nodes += texelNodes(map, u, v, CDSM_MEMORY_READ_ARGS).count;
-    float t = probeTransmittance(map, side, p, lookup, technique.texelBias, technique.bilinear != 0,
-                                 CDSM_MEMORY_READ_ARGS);
+    float t = probeTransmittance(map, side, p, lookup, CDSM_TECHNIQUE_ARGS);
     float2 pixel = pixelInTexels(map, side, &at, &p->at, view, x, y);
     float sharpness = pixel.x * pixel.y;
     if (t > least + CDSM_SAME_LIGHT || (t >= least - CDSM_SAME_LIGHT && sharpness <= sharpest)) continue;

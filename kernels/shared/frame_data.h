@@ -16,6 +16,14 @@ typedef struct BuildParams {
 } BuildParams;
 CDSM_SIZE(BuildParams, 208);
 
+typedef struct DepthParams {
+  ViewData view;
+  float threshold;      ///< opacity over which a surface stops the light
+  uint firstTexel;      ///< of the map
+  uint padding0, padding1;
+} DepthParams;
+CDSM_SIZE(DepthParams, 208);
+
 typedef struct ShadeParams {
   ViewData view;
   float4 ambient;       ///< i_a
@@ -35,11 +43,15 @@ CDSM_SIZE(QueryParams, 8);
 /// What any technique may need to know; each uses its part.
 typedef struct TechniqueParams {
   MemoryParams memory;
-  uint bilinear;     ///< deep-shadow-map: 1: four weighted lookups, 0: nearest
+  uint bilinear;     ///< techniques with maps: 1: texels weighted by the point's place among them, 0: nearest
   uint mediumCount;  ///< shadow-rays: of the scene
   uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
-  float texelBias;   ///< deep-shadow-map: texel widths that surface points are moved towards the light
+  float texelBias;   ///< techniques with maps: texel widths that surface points are moved towards the light
+  uint opaque;       ///< shadow-rays: 1: all or nothing
+  float threshold;   ///< shadow-rays, opaque: opacity over which a surface stops the light
+  int pcf;           ///< shadow-map: texels of the filter around the one looked up
+  uint padding;
 } TechniqueParams;
-CDSM_SIZE(TechniqueParams, 64);
+CDSM_SIZE(TechniqueParams, 80);
 
 CDSM_SHARED_END

@@ -19,6 +19,14 @@ TEST_P(TinyEngine, everythingByMaps) {
 TEST_P(TinyEngine, everythingByRays) {
   expectSound(engine_, along(everythingScene(), "shadow-rays", "chunked", "bilinear"));
 }
+TEST_P(TinyEngine, everythingByDepths) {
+  expectSound(engine_, along(everythingScene(), "shadow-map", "chunked", "bilinear"));
+}
+TEST_P(TinyEngine, volumesByOpaqueRays) {
+  Scene scene = along(cutScene(), "shadow-rays", "chunked", "bilinear");
+  scene.shadows.rays = "opaque";
+  expectSound(engine_, scene);
+}
 TEST_P(TinyEngine, volumesInAnAtlas) {
   expectSound(engine_, along(volumeScene(VoxelType::Int16), "deep-shadow-map", "atlas", "bilinear"));
 }

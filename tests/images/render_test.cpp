@@ -18,6 +18,7 @@ struct Technique {
   property::Path path;
   float limit;  ///< of a channel, linear
   double part;  ///< of the pixels that must be within; the others are silhouettes and edges of shadows
+  const char* rays = "exact";
 };
 
 std::vector<Technique> techniques() {
@@ -26,7 +27,9 @@ std::vector<Technique> techniques() {
           {"MapChunked", property::mapPath("chunked"), 6.0f / 255.0f, 0.97},
           {"MapAtlas", property::mapPath("atlas"), 6.0f / 255.0f, 0.97},
           {"MapExact", property::mapPath("exact"), 6.0f / 255.0f, 0.97},
-          {"MapTiled", property::mapPath("tiled"), 6.0f / 255.0f, 0.97}};
+          {"MapTiled", property::mapPath("tiled"), 6.0f / 255.0f, 0.97},
+          {"OpaqueRays", property::rayPath(), 6.0f / 255.0f, 0.9, "opaque"},
+          {"ShadowMap", {"shadow-map", "chunked", "bilinear", "buffer"}, 6.0f / 255.0f, 0.9, "opaque"}};
 }
 
 Image referenceImage(const Scene& scene) {
@@ -38,10 +41,10 @@ Image referenceImage(const Scene& scene) {
   return image;
 }
 
-/// Rendered once per scene, with and without shadows.
+/// Rendered once per scene: without shadows, with those of the threshold, with all.
 const Image& cachedReference(const ImageScene& scene, const Scene& settings) {
   static std::map<std::string, Image> images;
-  const std::string key = scene.name + (settings.shadows.technique == "none" ? "/none" : "/shadows");
+  const std::string key = scene.name + (settings.shadows.technique == "none" ? "/none" : "/" + settings.shadows.rays);
   const auto found = images.find(key);
   return found != images.end() ? found->second : images.emplace(key, referenceImage(settings)).first->second;
 }
@@ -66,7 +69,9 @@ class Render : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(Render, matchesTheReference) {
   const auto& [scene, technique] = cases()[GetParam()];
-  const Scene settings = property::along(technique.path, scene.scene, 512, 0.005f);
+  Scene settings = property::along(technique.path, scene.scene, 512, 0.005f);
+  settings.shadows.rays = technique.rays;
+  settings.shadows.threshold = 0.25f;
   const Image render = property::engineOf(technique.path.fetch).render(settings);
   const Image& expected = cachedReference(scene, settings);
   const double part = partWithin(render, expected, technique.limit);

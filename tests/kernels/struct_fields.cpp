@@ -83,9 +83,10 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) CDSM_END CDSM_BEGIN(QueryParams)
             F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity) F(firstNode)
                 F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
-    CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) CDSM_END
-    CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen)
-        F(nodes) F(map) F(checker) CDSM_END
+    CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) F(opaque) F(threshold)
+        F(pcf) F(padding) CDSM_END CDSM_BEGIN(DepthParams) F(view) F(threshold) F(firstTexel) F(padding0)
+            F(padding1) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END
+    CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)
@@ -114,16 +115,17 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
 #define CDSM_ENTRY(Name, header) entry<Name>(#Name, "shared/" header)
 
 std::vector<SharedStruct> sharedStructs() {
-  return {CDSM_ENTRY(BvhNode, "bvh_data.h"),          CDSM_ENTRY(BvhTriangle, "bvh_data.h"),
-          CDSM_ENTRY(BuildParams, "frame_data.h"),    CDSM_ENTRY(ShadeParams, "frame_data.h"),
-          CDSM_ENTRY(QueryParams, "frame_data.h"),    CDSM_ENTRY(TechniqueParams, "frame_data.h"),
-          CDSM_ENTRY(ScreenTriangle, "layer_data.h"), CDSM_ENTRY(RasterCounters, "layer_data.h"),
-          CDSM_ENTRY(SetupParams, "layer_data.h"),    CDSM_ENTRY(LightData, "map_data.h"),
-          CDSM_ENTRY(MapData, "map_data.h"),          CDSM_ENTRY(MemoryParams, "map_data.h"),
-          CDSM_ENTRY(BuildCounters, "map_data.h"),    CDSM_ENTRY(Affine, "scene_data.h"),
-          CDSM_ENTRY(ObjectData, "scene_data.h"),     CDSM_ENTRY(MediumData, "scene_data.h"),
-          CDSM_ENTRY(CellParams, "scene_data.h"),     CDSM_ENTRY(ViewData, "view_data.h"),
-          CDSM_ENTRY(ProbeParams, "debug_data.h"),    CDSM_ENTRY(MapProbe, "debug_data.h")};
+  return {CDSM_ENTRY(BvhNode, "bvh_data.h"),           CDSM_ENTRY(BvhTriangle, "bvh_data.h"),
+          CDSM_ENTRY(BuildParams, "frame_data.h"),     CDSM_ENTRY(ShadeParams, "frame_data.h"),
+          CDSM_ENTRY(DepthParams, "frame_data.h"),     CDSM_ENTRY(QueryParams, "frame_data.h"),
+          CDSM_ENTRY(TechniqueParams, "frame_data.h"), CDSM_ENTRY(ScreenTriangle, "layer_data.h"),
+          CDSM_ENTRY(RasterCounters, "layer_data.h"),  CDSM_ENTRY(SetupParams, "layer_data.h"),
+          CDSM_ENTRY(LightData, "map_data.h"),         CDSM_ENTRY(MapData, "map_data.h"),
+          CDSM_ENTRY(MemoryParams, "map_data.h"),      CDSM_ENTRY(BuildCounters, "map_data.h"),
+          CDSM_ENTRY(Affine, "scene_data.h"),          CDSM_ENTRY(ObjectData, "scene_data.h"),
+          CDSM_ENTRY(MediumData, "scene_data.h"),      CDSM_ENTRY(CellParams, "scene_data.h"),
+          CDSM_ENTRY(ViewData, "view_data.h"),         CDSM_ENTRY(ProbeParams, "debug_data.h"),
+          CDSM_ENTRY(MapProbe, "debug_data.h")};
 }
 
 }  // namespace cdsm::kernels

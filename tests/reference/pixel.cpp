@@ -31,7 +31,12 @@ struct Accumulated {
 
 double remainingAt(const World& world, const Light& light, const glm::dvec3& point, bool receives) {
   if (!lit(light, point)) return 0.0;
-  return receives && world.scene.shadows.technique != "none" ? transmittance(world, light, point) : 1.0;
+  const ShadowSettings& shadows = world.scene.shadows;
+  if (!receives || shadows.technique == "none") return 1.0;
+  const bool opaque =
+      shadows.technique == "shadow-map" || (shadows.technique == "shadow-rays" && shadows.rays == "opaque");
+  if (opaque) return opaqueTransmittance(world, light, point, static_cast<double>(shadows.threshold), kEngineStep);
+  return transmittance(world, light, point);
 }
 
 /// What one light without a shadow adds; `view` points to the camera.

@@ -25,6 +25,11 @@ bool lit(const Light& light, const glm::dvec3& point);
 /// the extinction), of all that casts a shadow, by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
+/// 0 if a surface or sample strictly between the light and the point is more opaque than the threshold, else 1. Opacity
+/// of a sample: of each volume at its value, per the volume's unit distance; of an interior per world unit.
+double opaqueTransmittance(const World& world, const Light& light, const glm::dvec3& point, double threshold,
+                           double step = kFineStep);
+
 /// The way from a point to the light, of unit length.
 glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point);
 
@@ -41,7 +46,8 @@ Visibility visibility(const World& world, const Light& light, const glm::dvec3& 
 /// The ray of the camera through a position on the image: pixels, y down, the centre of the first pixel at 0.5, 0.5.
 Ray cameraRay(const Scene& scene, double px, double py);
 
-/// Linear colour over the background and opacity of one camera ray; with technique "none" nothing casts a shadow.
+/// Linear colour over the background and opacity of one camera ray; with technique "none" nothing casts a shadow,
+/// with "shadow-map" and opaque rays the threshold decides.
 /// Segments with volumes are sampled at the engine's step, interior media alone with 64 samples per segment.
 glm::dvec4 pixel(const World& world, double px, double py);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brute-force transmittance: every ray against every triangle and every volume [INTERFACE 4.1 to 4.4].
+#include <algorithm>
 #include <cmath>
 
 #include "reference.hpp"
@@ -57,6 +58,38 @@ void march(const World& world, const Ray& ray, double length, double step, Visit
   }
 }
 
+constexpr double kMostOpacity = 0.9999;
+
+/// Whether a surface at the segment's end, or a sample of it, is more opaque than the threshold.
+bool stops(const World& world, const Segment& segment, const Ray& ray, double threshold, double step) {
+  for (const int mesh : segment.media) {
+    const auto sigma = static_cast<double>(world.scene.meshes[static_cast<std::size_t>(mesh)].interiorExtinction);
+    if (std::min(1.0 - std::exp(-sigma), kMostOpacity) > threshold) return true;
+  }
+  const int steps = stepsIn(segment, stepOf(world, segment, step));
+  for (int i = 0; i < steps; ++i) {
+    const glm::dvec3 point = ray.at(segment.begin + (i + 0.5) * (segment.end - segment.begin) / steps);
+    for (const int volume : segment.volumes) {
+      const auto index = static_cast<std::size_t>(volume);
+      const double opacity = opacityAt(world.scene.volumes[index].transfer, world.grids[index].value(point));
+      if (std::min(opacity, kMostOpacity) > threshold) return true;
+    }
+  }
+  for (const Crossing& crossing : segment.after) {
+    const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
+    const auto opacity = static_cast<double>(world.scene.materials[static_cast<std::size_t>(mesh.material)].opacity);
+    if (mesh.shadow.casts && opacity > threshold) return true;
+  }
+  return false;
+}
+
+/// Where the ray to a point starts: the light, or behind all that the ray towards parallel light meets.
+glm::dvec3 startOf(const World& world, const Light& light, const glm::dvec3& point) {
+  if (light.type != LightType::Directional) return glm::dvec3(light.position);
+  const Ray back{point, towardsLight(light, point)};
+  return back.at(behindAll(world, back));
+}
+
 }  // namespace
 
 bool lit(const Light& light, const glm::dvec3& point) {
@@ -72,16 +105,23 @@ glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point) {
 }
 
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
-  glm::dvec3 position(light.position);
-  if (light.type == LightType::Directional) {  // from behind all that the ray to the light meets
-    const Ray back{point, towardsLight(light, point)};
-    position = back.at(behindAll(world, back));
-  }
+  const glm::dvec3 position = startOf(world, light, point);
   const double distance = glm::length(point - position);
   if (distance == 0.0) return 1.0;
   double result = 1.0;
   march(world, rayTowards(position, point), distance, step, [&](double, double remaining) { result = remaining; });
   return result;
+}
+
+double opaqueTransmittance(const World& world, const Light& light, const glm::dvec3& point, double threshold,
+                           double step) {
+  const glm::dvec3 position = startOf(world, light, point);
+  const double distance = glm::length(point - position);
+  if (distance == 0.0) return 1.0;
+  const Ray ray = rayTowards(position, point);
+  for (const Segment& segment : segmentsOf(world, ray, distance))
+    if (stops(world, castingPart(world, segment), ray, threshold, step)) return 0.0;
+  return 1.0;
 }
 
 Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step) {

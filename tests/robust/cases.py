@@ -133,6 +133,10 @@ GOOD_RUNS = [
           + ["--set", "volume.smoke.receives_shadow=false", "--set", "mesh.cup.cluster_weight=1000"], ("out.png",)),
     works("two nodes per texel", RENDER + ["--set", "shadows.memory=fixed", "--set", "shadows.max_nodes=2"],
           ("out.png", "stats.json")),
+    works("a light inside a volume and a wide filter", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"]
+          + ["--set", "shadows.technique=shadow-map", "--set", "shadows.pcf=16"], ("out.png",)),
+    works("a query by opaque rays", QUERY + ["--set", "shadows.technique=shadow-rays", "--set", "shadows.rays=opaque"]
+          + ["--set", "shadows.threshold=0"], ("out.csv",)),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
 ]
 
@@ -208,6 +212,14 @@ SCENES = [
              "shadows.memory_limit_mb=0.001", "shadows.on_overflow=coarsen"),
     settings("texels beyond the memory limit", "the maps need at least 32.0 MiB",
              "shadows.memory_limit_mb=0.5", "shadows.map_size=16384"),
+    settings("rays of another kind", "unknown rays 'fuzzy', must be one of: exact, opaque", "shadows.rays=fuzzy"),
+    settings("threshold of 1", "threshold is 1, must be in [0, 1)", "shadows.threshold=1"),
+    settings("threshold below 0", "threshold is -0.1, must be in [0, 1)", "shadows.threshold=-0.1"),
+    settings("threshold with a NaN", "threshold is nan", "shadows.threshold=nan"),
+    settings("threshold as a text", "threshold is a string", "shadows.threshold='half'"),
+    settings("too wide a filter", "pcf is 17, must be in [0, 16] texels", "shadows.pcf=17"),
+    settings("pcf below 0", "pcf is -1, must be in [0, 16] texels", "shadows.pcf=-1"),
+    settings("pcf of half a texel", "pcf is a number with a fraction", "shadows.pcf=0.5"),
     settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
     scene("casting as a word", "casts_shadow is a string, must be true or false",
           b"closed.obj\"", b"closed.obj\"\ncasts_shadow = 'no'"),
@@ -436,7 +448,6 @@ FRAMES = [
 LATER = [
     settings(f"unsupported {value}", "not supported yet", value)
     for value in (
-        "shadows.technique=shadow-map",
         "shadows.technique=stochastic",
         "shadows.transmittance=rgb",
         "shadows.cache=volume",

@@ -15,6 +15,9 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   shadows.clusters = 4;
   shadows.clusterDistance = 0.1f;
   shadows.stable = true;
+  shadows.rays = "opaque";
+  shadows.threshold = 0.3f;
+  shadows.pcf = 2;
   const auto settings = nlohmann::json::parse(statsJson({}, shadows, {})).at("settings");
   EXPECT_EQ(settings.at("technique"), "deep-shadow-map");
   EXPECT_EQ(settings.at("memory"), "chunked");
@@ -24,6 +27,9 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   EXPECT_EQ(settings.at("clusters"), 4);
   EXPECT_EQ(settings.at("cluster_distance"), 0.1);
   EXPECT_EQ(settings.at("stable"), true);
+  EXPECT_EQ(settings.at("rays"), "opaque");
+  EXPECT_EQ(settings.at("threshold"), 0.3);
+  EXPECT_EQ(settings.at("pcf"), 2);
   EXPECT_EQ(settings.at("step"), 0.0);
   EXPECT_EQ(settings.at("bias"), 0.0);
   EXPECT_EQ(settings.at("tolerance_mode"), "samples");

@@ -36,7 +36,7 @@ def files_with(folder, text):
 
 # What a text may mention, and the values to try; None: not defined.
 CHOICES = {
-    "CDSM_TECHNIQUE": files_with("technique", "lightTransmittancePoint("),
+    "CDSM_TECHNIQUE": files_with("technique", "#define CDSM_TECHNIQUE_PARAMS"),
     "CDSM_MARCH": files_with("build", "void beginMarch("),
     "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],

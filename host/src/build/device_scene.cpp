@@ -311,4 +311,14 @@ std::vector<std::uint32_t> DeviceScene::objectsOfMedia() const {
   return objects;
 }
 
+std::vector<float> DeviceScene::opaqueExtinctions(float threshold) const {
+  std::vector<float> extinctions;
+  for (std::size_t i = 0; i < hostMedia_.size(); ++i) {
+    const int mesh = objectMesh_[mediumOwner_[i]];
+    const float unitDistance = mesh < 0 ? scene_.volumes[-1 - mesh].transfer.unitDistance : 1.0f;
+    extinctions.push_back(threshold < kMostOpacity ? extinctionOf(threshold, unitDistance) : INFINITY);
+  }
+  return extinctions;
+}
+
 }  // namespace cdsm::build

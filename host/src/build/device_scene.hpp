@@ -47,6 +47,9 @@ class DeviceScene {
   bool isBox(std::size_t object) const { return objectMesh_[object] < 0; }
   /// Per medium, the object that encloses it.
   std::vector<std::uint32_t> objectsOfMedia() const;
+  /// Per medium, the extinction above which a sample's opacity is over `threshold`: that of a volume per its unit
+  /// distance, of an interior per world unit. Infinite where no opacity gets over it, capped as it is.
+  std::vector<float> opaqueExtinctions(float threshold) const;
 
   /// Per medium.
   const std::vector<ExtinctionCurve>& curves() const { return curves_; }

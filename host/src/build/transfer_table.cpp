@@ -55,7 +55,7 @@ int intervals(const TransferFunction& transfer, float span) {
 
 float extinctionOf(float opacity, float unitDistance) {
   // times any way in the world it stays a float
-  return std::min(-std::log1p(-std::min(opacity, 0.9999f)) / unitDistance, 1e28f);
+  return std::min(-std::log1p(-std::min(opacity, kMostOpacity)) / unitDistance, 1e28f);
 }
 
 TransferTable makeTransferTable(const TransferFunction& given) {

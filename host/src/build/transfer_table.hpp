@@ -17,7 +17,10 @@ struct TransferTable {
   std::vector<shared::float4> entries;  ///< rgb and extinction (1 / world length); at least two
 };
 
-/// Extinction -ln(1 - a) / unitDistance of an opacity, which is capped at 0.9999 [INTERFACE, 4.2].
+/// Cap of opacities that become extinctions [INTERFACE, 4.2].
+constexpr float kMostOpacity = 0.9999f;
+
+/// Extinction -ln(1 - a) / unitDistance of an opacity, which is capped.
 float extinctionOf(float opacity, float unitDistance);
 
 /// Points with whole values, spanning at most 65536, lie on entries of the table. Others may fall between two of 8192

@@ -26,6 +26,7 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
       {"tolerance", KeyShape::Number},
       {"tolerance_mode", KeyShape::Text},
       {"filter", KeyShape::Text},
+      {"rays", KeyShape::Text},
       {"step", KeyShape::Number},
       {"memory_limit_mb", KeyShape::Number},
       {"on_overflow", KeyShape::Text},

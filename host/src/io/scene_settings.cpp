@@ -12,24 +12,20 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kTechniques{{"none", "shadow-rays", "deep-shadow-map"}, {"shadow-map", "stochastic", "implicit-sphere"}};
+const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map"}, {"stochastic", "implicit-sphere"}};
 const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
 const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};
+const Choices kRays{{"exact", "opaque"}, {}};
 const Choices kTransmittances{{"grey"}, {"rgb"}};
 const Choices kCaches{{"none"}, {"volume"}};
 
 /// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
 /// accepted and ignored: nothing that this version computes depends on it.
-const std::vector<std::pair<std::string, double>> kLaterShadowKeys{{"threshold", 0.5},
-                                                                   {"samples", 13.0},
-                                                                   {"seed", 1.0},
-                                                                   {"pcf", 1.0},
-                                                                   {"patch", 1.0},
-                                                                   {"softness", 0.0},
-                                                                   {"softness_distance", 1.0},
-                                                                   {"softness_exponent", 1.0}};
+const std::vector<std::pair<std::string, double>> kLaterShadowKeys{
+    {"samples", 13.0},         {"seed", 1.0}, {"patch", 1.0}, {"softness", 0.0}, {"softness_distance", 1.0},
+    {"softness_exponent", 1.0}};
 
 }  // namespace
 
@@ -65,6 +61,9 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
   shadows.toleranceMode = reader.choice("tolerance_mode", shadows.toleranceMode, kToleranceModes);
   shadows.filter = reader.choice("filter", shadows.filter, kFilters);
+  shadows.rays = reader.choice("rays", shadows.rays, kRays);
+  shadows.threshold = reader.number("threshold", shadows.threshold, scene::kThreshold);
+  shadows.pcf = reader.integer("pcf", shadows.pcf, scene::kPcf);
   shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
   shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);
   shadows.stable = reader.flag("stable", shadows.stable);

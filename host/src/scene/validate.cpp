@@ -106,11 +106,14 @@ void validateShadows(const ShadowSettings& shadows) {
   if (shadows.toleranceMode == "everywhere")
     requireRange(shadows.tolerance, kToleranceEverywhere, "shadows tolerance with tolerance_mode everywhere");
   requireRange(shadows.memoryLimitMb, kNotNegative, "shadows memory_limit_mb");
+  requireRange(shadows.threshold, kThreshold, "shadows threshold");
+  requireRange(shadows.pcf, kPcf, "shadows pcf");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
   requireRange(shadows.bias, kNotNegative, "shadows bias");
   requireEither(shadows.filter, "bilinear", "nearest", "shadows filter");
+  requireEither(shadows.rays, "exact", "opaque", "shadows rays");
   requireEither(shadows.toleranceMode, "samples", "everywhere", "shadows tolerance_mode");
   requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
 }

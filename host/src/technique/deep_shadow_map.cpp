@@ -1,175 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "technique/deep_shadow_map.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
-#include "cluster/light_camera.hpp"
-#include "device/host_step.hpp"
 #include "scene/range.hpp"
 #include "technique/light_map.hpp"
 #include "technique/memory_budget.hpp"
 
 namespace cdsm::technique {
 
-namespace {
-
-/// Texel widths that surface points are moved towards the light, unless the scene gives a bias.
-constexpr float kTexelBias = 0.5f;
-
-}  // namespace
-
 DeepShadowMap::DeepShadowMap(device::Device& device, MakeMemory makeMemory)
-    : device_(device), makeMemory_(std::move(makeMemory)), memory_(makeMemory_()), pass_(device) {}
+    : MapTechnique(device), makeMemory_(std::move(makeMemory)), memory_(makeMemory_()), pass_(device) {}
 
 build::Defines DeepShadowMap::kernelFiles() const {
   return {{"CDSM_TECHNIQUE", "\"technique/deep_shadow_map.clh\""},
           {"CDSM_MEMORY", '"' + std::string(memory_->kernelFile()) + '"'}};
 }
 
-void DeepShadowMap::prepare(const Preparation& to) {
-  const auto begun = std::chrono::steady_clock::now();
-  meshShapes_.keepOnly(to.scene);
-  const std::vector<cluster::Caster> shapes = cluster::objectShapes(to.scene, meshShapes_);
-  std::vector<MapCluster> clusters = planClusters(to, shapes);
-  clusterMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-
-  const std::vector<build::MapJob> jobs = makeJobs(to.scene, shapes, clusters);
-  bool same = jobs.size() == mapData_.size() && maps_.allocated();
-  for (std::size_t i = 0; i < jobs.size(); ++i) same = same && jobs[i].kept == int(i);
-  built_.reset();
-  if (!same) {
-    const float wanted = to.scene.shadows.tolerance, before = builtTolerance_;
-    buildMaps(to, jobs);
-    for (MapCluster& cluster : clusters)
-      if (cluster.reason.empty() && (before != wanted || builtTolerance_ != wanted)) cluster.reason = "tolerance";
-    maps_ = device::Buffer<shared::MapData>::fromHost(device_, mapData_, "maps");
-  }
-  clusters_ = std::move(clusters);
-  built_ = to.scene;
-}
-
-void DeepShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs) {
+std::vector<shared::MapData> DeepShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
+                                                      std::vector<MapCluster>& clusters) {
+  const float wanted = to.scene.shadows.tolerance, before = builtTolerance_;
   const MemoryBudget budget(to.scene.shadows);
   std::uint64_t texels = 0;
   for (const build::MapJob& job : jobs) texels += std::uint64_t(job.map.width) * job.map.height;
   budget.requireRoomFor(texels);
+  std::vector<shared::MapData> built;
+  const bool fresh = !maps().allocated();
   bool first = true;
   budget.fit([&](float tolerance) {
     // only what would fit without the frames before, too, may rest on them
-    if (std::exchange(first, false) && (tolerance == builtTolerance_ || !maps_.allocated())) {
-      const bool fresh = !maps_.allocated();
-      const std::uint64_t bytes = buildMapsAt(tolerance, to, jobs);
+    if (std::exchange(first, false) && (tolerance == builtTolerance_ || fresh)) {
+      built = buildMapsAt(tolerance, to, jobs);
+      const std::uint64_t bytes = memory_->stats().bytesReserved;
       if (fresh || budget.fits(bytes)) return bytes;
     }
-    return buildAllAt(tolerance, to, jobs);
+    built = buildAllAt(tolerance, to, jobs);
+    return memory_->stats().bytesReserved;
   });
+  for (MapCluster& cluster : clusters)
+    if (cluster.reason.empty() && (before != wanted || builtTolerance_ != wanted)) cluster.reason = "tolerance";
+  return built;
 }
 
-std::uint64_t DeepShadowMap::buildAllAt(float tolerance, const Preparation& to, std::vector<build::MapJob> jobs) {
+std::vector<shared::MapData> DeepShadowMap::buildAllAt(float tolerance, const Preparation& to,
+                                                       std::vector<build::MapJob> jobs) {
   for (build::MapJob& job : jobs) job.kept = memory::kBuildAnew;
   memory_.reset();
   memory_ = makeMemory_();
   return buildMapsAt(tolerance, to, jobs);
 }
 
-std::uint64_t DeepShadowMap::buildMapsAt(float tolerance, const Preparation& to,
-                                         const std::vector<build::MapJob>& jobs) {
+std::vector<shared::MapData> DeepShadowMap::buildMapsAt(float tolerance, const Preparation& to,
+                                                        const std::vector<build::MapJob>& jobs) {
   const build::MapAccuracy accuracy{tolerance, to.scene.shadows.toleranceMode == "everywhere"};
-  mapData_ = pass_.run(to.deviceScene, jobs, accuracy, to.raster, *memory_, to.report);
+  std::vector<shared::MapData> maps = pass_.run(to.deviceScene, jobs, accuracy, to.raster, *memory_, to.report);
   builtTolerance_ = tolerance;
-  return memory_->stats().bytesReserved;
-}
-
-cluster::LightClusters DeepShadowMap::handedOver(const Preparation& to, std::size_t light, cluster::LightPlan plan,
-                                                 cluster::LightClusters& former, float& share) {
-  if (!to.scene.shadows.stable) return std::move(plan.clusters);
-  cluster::HandOver& handOver = handOvers_[light];
-  if (to.purpose == cluster::Purpose::Image || handOver.current().empty()) handOver.next(plan);
-  former = handOver.former();
-  share = handOver.share();
-  return handOver.current();
-}
-
-std::vector<MapCluster> DeepShadowMap::planClusters(const Preparation& to, const std::vector<cluster::Caster>& shapes) {
-  const device::HostStep step(device_.profiler().trace(), "plan clusters");
-  const Scene& scene = to.scene;
-  const bool focused = scene.shadows.clusters > 1;
-  const scene::Bounds& bounds = to.deviceScene.bounds();
-  const cluster::VisibleSpace visible =
-      cluster::visibleSpace(scene.camera, double(scene.image.width) / double(scene.image.height),
-                            scene::cameraNearDepth(scene.camera, bounds), bounds);
-  // clusters that stay must be good for every camera
-  const cluster::Purpose purpose = scene.shadows.stable ? cluster::Purpose::Points : to.purpose;
-  handOvers_.resize(scene.shadows.stable ? scene.lights.size() : 0);
-  lightMaps_.assign(scene.lights.size(), {});
-  std::vector<MapCluster> clusters;
-  for (std::size_t light = 0; light < scene.lights.size(); ++light) {
-    cluster::LightPlan plan = focused ? cluster::planLight(scene, scene.lights[light], shapes, visible, purpose)
-                                      : cluster::planWithoutClusters(scene, shapes);
-    cluster::LightClusters former;
-    const auto current = handedOver(to, light, std::move(plan), former, lightMaps_[light].share);
-    unsigned number = 0;
-    for (const auto& objects : current) clusters.push_back({light, number++, focused, false, objects, {}, 0, {}});
-    for (const auto& objects : former) clusters.push_back({light, number++, focused, true, objects, {}, 0, {}});
-  }
-  return clusters;
-}
-
-std::vector<build::MapJob> DeepShadowMap::makeJobs(const Scene& scene, const std::vector<cluster::Caster>& shapes,
-                                                   std::vector<MapCluster>& clusters) {
-  const int size = scene.shadows.mapSize;
-  std::vector<build::MapJob> jobs;
-  for (MapCluster& cluster : clusters) {
-    const Light& light = scene.lights[cluster.light];
-    const auto kept = keptCluster(built_, scene, clusters_, cluster);
-    if (kept)
-      cluster.views = clusters_[*kept].views;
-    else
-      cluster.views = cluster.focused ? cluster::focusedViews(scene, light, shapes, cluster.objects, size)
-                                      : cluster::wholeViews(light, shapes, cluster.objects, size);
-    cluster.firstMap = jobs.size();
-    LightMaps& lightMaps = lightMaps_[cluster.light];
-    if (lightMaps.count + lightMaps.formerCount == 0) lightMaps.first = jobs.size();
-    (cluster.former ? lightMaps.formerCount : lightMaps.count) += cluster.views.size();
-    for (std::size_t i = 0; i < cluster.views.size(); ++i) {
-      const cluster::MapView& view = cluster.views[i];
-      const int from = kept ? int(clusters_[*kept].firstMap + i) : memory::kBuildAnew;
-      jobs.push_back({kept ? mapData_[std::size_t(from)] : cluster::mapData(view.view, view.face), view.view,
-                      cluster.objects, from});
-    }
-  }
-  return jobs;
-}
-
-void DeepShadowMap::describeLight(std::size_t light, shared::LightData& data) const {
-  const LightMaps& maps = lightMaps_[light];
-  data.firstMap = shared::uint(maps.first);
-  data.mapCount = shared::uint(maps.count);
-  data.formerCount = shared::uint(maps.formerCount);
-  data.share = maps.share;
+  return maps;
 }
 
 shared::TechniqueParams DeepShadowMap::params(const Scene& scene) const {
   shared::TechniqueParams params{};
   params.memory = memory_->params();
   params.bilinear = scene.shadows.filter == "bilinear";
-  params.texelBias = scene.shadows.bias > 0.0f ? 0.0f : kTexelBias;
+  params.texelBias = texelBias(scene);
   return params;
 }
 
 device::ArgumentList DeepShadowMap::arguments() const {
-  device::ArgumentList list{maps_.cl()};
+  device::ArgumentList list{maps().cl()};
   const device::ArgumentList nodes = memory_->readArguments();
   list.insert(list.end(), nodes.begin(), nodes.end());
   return list;
 }
 
 std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t light) const {
-  const LightMaps& ofLight = lightMaps_[light];
+  const LightMaps& ofLight = mapsOf(light);
   std::vector<LightMap> maps;
-  for (const MapCluster& cluster : clusters_) {
+  for (const MapCluster& cluster : *clusters()) {
     if (cluster.light != light) continue;
     for (std::size_t view = 0; view < cluster.views.size(); ++view) {
       maps.push_back(describeMap(scene, cluster, view));
@@ -180,11 +87,7 @@ std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t l
 }
 
 void DeepShadowMap::addStats(const Scene& scene, FrameStats& stats) const {
-  for (const MapCluster& cluster : clusters_)
-    for (std::size_t view = 0; view < cluster.views.size(); ++view)
-      stats.lights[cluster.light].maps.push_back(mapStats(scene, cluster, view));
-  stats.clusterMs = clusterMs_;
-  stats.memory = memory_->stats();
+  MapTechnique::addStats(scene, stats);
   const MemoryBudget budget(scene.shadows);
   stats.memory.tolerance = builtTolerance_;
   stats.memory.limit = budget.limit();
@@ -193,25 +96,6 @@ void DeepShadowMap::addStats(const Scene& scene, FrameStats& stats) const {
                            " instead of " + scene::formatNumber(scene.shadows.tolerance) +
                            ", to fit in shadows.memory_limit_mb = " + scene::formatNumber(scene.shadows.memoryLimitMb));
   stats.reports.push_back(stats.warnings.back());
-}
-
-MapStats DeepShadowMap::mapStats(const Scene& scene, const MapCluster& cluster, std::size_t index) const {
-  const cluster::MapView& view = cluster.views[index];
-  const memory::NodeCounts nodes = memory_->nodeCounts(cluster.firstMap + index);
-  MapStats map;
-  map.cluster = int(cluster.number);
-  for (const unsigned object : cluster.objects) map.objects.push_back(objectName(scene, object));
-  map.regenerated = !cluster.reason.empty();
-  map.reason = cluster.reason;
-  map.texels = std::uint64_t(view.view.width) * view.view.height;
-  map.nodesTotal = nodes.total;
-  map.nodesMax = nodes.most;
-  map.nodesMean = double(nodes.total) / double(map.texels);
-  map.fovX = view.fovX;
-  map.fovY = view.fovY;
-  map.nearDepth = view.nearDepth;
-  map.farDepth = view.farDepth;
-  return map;
 }
 
 }  // namespace cdsm::technique

@@ -8,6 +8,7 @@
 #include "memory/tiled.hpp"
 #include "technique/deep_shadow_map.hpp"
 #include "technique/none.hpp"
+#include "technique/shadow_map.hpp"
 #include "technique/shadow_rays.hpp"
 
 namespace cdsm::technique {
@@ -46,6 +47,7 @@ const std::vector<Entry<ShadowTechnique>>& techniques() {
   static const std::vector<Entry<ShadowTechnique>> list{
       {"none", [](auto&, auto&) { return std::make_unique<None>(); }},
       {"shadow-rays", [](auto&, auto& device) { return std::make_unique<ShadowRays>(device); }},
+      {"shadow-map", [](auto&, auto& device) { return std::make_unique<ShadowMap>(device); }},
       {"deep-shadow-map",
        [](auto& settings, auto& device) {
          const auto& memory = find(memories(), settings.memory, "memory strategy");

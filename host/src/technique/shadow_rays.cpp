@@ -66,6 +66,8 @@ void ShadowRays::prepare(const Preparation& to) {
     around_.push_back({shared::uint(objects.size()), shared::uint(around.size())});
     objects.insert(objects.end(), around.begin(), around.end());
   }
+  opaqueExtinctions_ = device::Buffer<float>::fromHost(
+      device_, to.deviceScene.opaqueExtinctions(to.scene.shadows.threshold), "opaque extinctions");
   lightObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, objects, "objects around lights");
 }
 
@@ -74,15 +76,17 @@ void ShadowRays::describeLight(std::size_t light, shared::LightData& data) const
   data.mapCount = around_[light].y;
 }
 
-shared::TechniqueParams ShadowRays::params(const Scene&) const {
+shared::TechniqueParams ShadowRays::params(const Scene& scene) const {
   shared::TechniqueParams params{};
   params.mediumCount = shared::uint(mediumCount_);
   params.nodeCount = shared::uint(nodes_.size());
+  params.opaque = scene.shadows.rays == "opaque";
+  params.threshold = scene.shadows.threshold;
   return params;
 }
 
 device::ArgumentList ShadowRays::arguments() const {
-  return {nodes_.cl(), triangles_.cl(), lightObjects_.cl(), mediumObjects_.cl()};
+  return {nodes_.cl(), triangles_.cl(), lightObjects_.cl(), mediumObjects_.cl(), opaqueExtinctions_.cl()};
 }
 
 }  // namespace cdsm::technique

@@ -29,6 +29,7 @@ class ShadowRays : public ShadowTechnique {
   device::Buffer<shared::BvhNode> nodes_;
   device::Buffer<shared::BvhTriangle> triangles_;
   device::Buffer<std::uint32_t> lightObjects_, mediumObjects_;
+  device::Buffer<float> opaqueExtinctions_;
 };
 
 }  // namespace cdsm::technique
