@@ -96,6 +96,22 @@ struct Mesh {
   ShadowRole shadow;
 };
 
+/// Spheres in object space, each with its own radius > 0. Either no colours or one per centre.
+struct SphereData {
+  std::vector<glm::vec3> centers;
+  std::vector<float> radii;
+  std::vector<glm::vec3> colors;  ///< diffuse, in place of the material's
+};
+
+/// Glyphs or atoms: surfaces that are never tessellated. Light that passes through a sphere crosses it twice.
+struct Spheres {
+  std::string name;
+  std::shared_ptr<const SphereData> data;
+  int material = 0;                 ///< index into Scene::materials
+  glm::mat4 worldFromObject{1.0f};  ///< scales all axes alike
+  ShadowRole shadow;
+};
+
 enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
 
 /// Bytes of one voxel.
@@ -144,6 +160,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Volume> volumes;
+  std::vector<Spheres> spheres;
 };
 
 /// Throws Error when a value is out of its range, an index points nowhere, a camera or light is degenerate, a
