@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "io/atomic_file.hpp"
+#include "scene/range.hpp"
 
 namespace cdsm::cli {
 namespace {
@@ -35,6 +36,7 @@ constexpr Suite kSuites[] = {
     {"objects", "times against the number of objects (Figure 5.13)", benchObjects},
     {"chunks", "memory that chunks take and waste (Table 5.11)", benchChunks},
     {"gallery", "frame rates of all scenes, moving camera (Figure 5.14)", benchGallery},
+    {"memory", "strategies and formats of nodes, [SCENE...] with [--map-sizes]", benchMemory},
     {"clustering", "error of shadows and times, with clusters and without", benchClustering},
 };
 
@@ -90,6 +92,8 @@ void writeJson(const std::string& path, const Json& results) {
 
 void run(CommandOptions& options) {
   const Suite& suite = suiteOf(options.suite);
+  if (options.suite != "memory" && !(options.files.empty() && options.mapSizes.empty()))
+    throw UsageError("suite '" + options.suite + "' has its own scenes and sizes of maps, only 'memory' takes others");
   if (!options.json.empty()) io::checkOutputPath(options.json);
   const DeviceDescription device = deviceOf(options);
   std::vector<Table> tables;
@@ -111,6 +115,10 @@ void addBenchCommand(CLI::App& app) {
   auto options = std::make_shared<CommandOptions>();
   CLI::App* command = app.add_subcommand("bench", "Measure the tables of the papers on this machine");
   command->add_option("SUITE", options->suite, helpOfSuites())->required();
+  command->add_option("SCENE", options->files, "Suite memory: scenes in place of its own");
+  command->add_option("--map-sizes", options->mapSizes, "Suite memory: texels per side of maps, e.g. 512,4096")
+      ->delimiter(',')
+      ->check(CLI::Range(int(scene::kMapSize.low), int(scene::kMapSize.high)));
   command->add_option("--json", options->json, "Write the figures to this file");
   command->add_option("--device", options->device, "platform:device or part of a device's name [$CDSM_DEVICE]");
   command->add_option("--scenes", options->scenes, "Folder with demo/, bench/ and papers/")->capture_default_str();

@@ -20,12 +20,6 @@ constexpr float kNudge = 1e-5f;    // relative: enough to build maps again, too 
 
 int scaled(double scale, int side) { return std::max(1, int(std::lround(scale * side))); }
 
-EngineOptions engineOptions(const BenchOptions& options) {
-  EngineOptions engine;
-  engine.device = options.device;
-  return engine;
-}
-
 /// Which script makes a missing file, or how to find it.
 std::string remedyFor(const BenchOptions& options, const std::string& file) {
   const auto script = [&options](const char* path) { return "'python3 " + options.scenes + path + "' makes it"; };
@@ -47,17 +41,8 @@ Light nudged(Light light, float by) {
   return light;
 }
 
-}  // namespace
-
-Scene readBenchScene(const BenchOptions& options, const std::string& file) {
-  Scene scene;
-  try {
-    scene = io::readScene(options.scenes + "/" + file);
-  } catch (const Error& error) {
-    const std::string missing = error.where() ? error.where()->file : "";
-    if (missing.empty() || std::filesystem::exists(missing)) throw;
-    throw Error(Location{missing}, "there is no such file; " + remedyFor(options, missing));
-  }
+/// A scene as all suites measure it.
+Scene prepared(const BenchOptions& options, Scene scene) {
   scene.image.width = 3 * scaled(options.scale, kPartsOfSide);
   scene.image.height = 2 * scaled(options.scale, kPartsOfSide);
   scene.image.supersampling = 1;
@@ -66,6 +51,28 @@ Scene readBenchScene(const BenchOptions& options, const std::string& file) {
   scene.shadows.filter = "bilinear";
   scene.shadows.tolerance = 0.01f;
   return scene;
+}
+
+}  // namespace
+
+EngineOptions engineOptions(const BenchOptions& options) {
+  EngineOptions engine;
+  engine.device = options.device;
+  return engine;
+}
+
+Scene readBenchScene(const BenchOptions& options, const std::string& file) {
+  try {
+    return prepared(options, io::readScene(options.scenes + "/" + file));
+  } catch (const Error& error) {
+    const std::string missing = error.where() ? error.where()->file : "";
+    if (missing.empty() || std::filesystem::exists(missing)) throw;
+    throw Error(Location{missing}, "there is no such file; " + remedyFor(options, missing));
+  }
+}
+
+Scene readAnyScene(const BenchOptions& options, const std::string& path) {
+  return prepared(options, io::readScene(path));
 }
 
 int scaledMapSize(const BenchOptions& options, int mapSize) {
@@ -120,6 +127,15 @@ double Subject::buildMs() {
   if (builtMaps(stats()) < mapCount(stats())) throw Error("maps were kept that must be built to be timed");
   scene_.lights = tiny.lights;
   return std::max(built - kept, kLeastMs);
+}
+
+double Subject::lookupMs(const std::vector<glm::vec3>& points) {
+  transmittance(points);
+  return stats().renderMs;
+}
+
+std::vector<Transmittance> Subject::transmittance(const std::vector<glm::vec3>& points) {
+  return engine_.transmittance(scene_, scene_.lights.front().name, points);
 }
 
 void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }

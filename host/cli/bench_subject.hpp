@@ -17,13 +17,20 @@ struct BenchOptions {
   std::string device;
   std::string scenes = "scenes";
   int runs = 5;
-  double scale = 1.0;  ///< of image and map sides, in (0, 1]; below 1 for trying a suite out
+  double scale = 1.0;              ///< of image and map sides, in (0, 1]; below 1 for trying a suite out
+  std::vector<std::string> files;  ///< suite "memory": scenes to measure; empty: its own
+  std::vector<int> mapSizes;       ///< suite "memory": texels per side; empty: its own
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]
 };
+
+EngineOptions engineOptions(const BenchOptions& options);
 
 /// Reads a scene of the folder `options.scenes` at 720 x 480, times the scale, and one ray per pixel. Its shadows are
 /// deep shadow maps at tolerance 0.01, chunked, filtered. An Error names the script that makes a file that is missing.
 Scene readBenchScene(const BenchOptions& options, const std::string& file);
+
+/// The same for a file anywhere.
+Scene readAnyScene(const BenchOptions& options, const std::string& path);
 
 /// Texels per side of a map at the scale of the run.
 int scaledMapSize(const BenchOptions& options, int mapSize);
@@ -52,6 +59,10 @@ class Subject {
 
   /// CPU time of clustering in the last call.
   double clusterMs() const { return engine_.stats().clusterMs; }
+
+  /// Looking up the light of the scene's first light at world points, on the device alone: 0 without event times.
+  double lookupMs(const std::vector<glm::vec3>& points);
+  std::vector<Transmittance> transmittance(const std::vector<glm::vec3>& points);
 
   /// From now on 3 x 2 pixels: the same maps as of the whole image, since clusters depend on its aspect ratio alone.
   void shrinkImage();

@@ -32,4 +32,7 @@ std::vector<Table> benchGallery(const BenchOptions& options);
 /// What clusters are for: the error of shadows, and what they cost.
 std::vector<Table> benchClustering(const BenchOptions& options);
 
+/// Memory strategies and formats of nodes side by side, on scenes and sizes of maps.
+std::vector<Table> benchMemory(const BenchOptions& options);
+
 }  // namespace cdsm::cli

@@ -11,7 +11,7 @@ namespace cdsm::cli {
 namespace {
 
 constexpr int kLabelWidth = 44;
-constexpr int kColumnWidth = 14;
+constexpr int kColumnWidth = 14, kColumnGap = 2;
 
 std::vector<double> ratios(const std::vector<double>& values, double base) {
   std::vector<double> result;
@@ -21,10 +21,10 @@ std::vector<double> ratios(const std::vector<double>& values, double base) {
 }
 
 /// Nothing where there are no values.
-void printLine(std::ostream& out, const std::string& label, const std::vector<double>& values) {
+void printLine(std::ostream& out, int width, const std::string& label, const std::vector<double>& values) {
   if (values.empty()) return;
   out << "  " << std::left << std::setw(kLabelWidth) << label << std::right;
-  for (const double value : values) out << std::setw(kColumnWidth) << numberText(value);
+  for (const double value : values) out << std::setw(width) << numberText(value);
   out << '\n';
 }
 
@@ -32,12 +32,18 @@ std::string inUnit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-void printRow(std::ostream& out, const Row& row) {
-  printLine(out, inUnit(row.label, row.unit), row.ours);
-  printLine(out, inUnit(row.ours.empty() ? row.label : "  thesis", row.unit), row.thesis);
-  printLine(out, "  ratio", ratios(row.ours, row.ourBase));
-  printLine(out, "  ratio in the thesis", ratios(row.thesis, row.thesisBase));
-  printLine(out, "  wanted", row.wanted);
+void printRow(std::ostream& out, int width, const Row& row) {
+  printLine(out, width, inUnit(row.label, row.unit), row.ours);
+  printLine(out, width, inUnit(row.ours.empty() ? row.label : "  thesis", row.unit), row.thesis);
+  printLine(out, width, "  ratio", ratios(row.ours, row.ourBase));
+  printLine(out, width, "  ratio in the thesis", ratios(row.thesis, row.thesisBase));
+  printLine(out, width, "  wanted", row.wanted);
+}
+
+int columnWidth(const Table& table) {
+  std::size_t width = kColumnWidth;
+  for (const std::string& column : table.columns) width = std::max(width, column.size() + kColumnGap);
+  return int(width);
 }
 
 }  // namespace
@@ -87,6 +93,7 @@ double powerLawExponent(const std::vector<double>& x, const std::vector<double>&
 }
 
 std::string numberText(double value) {
+  if (std::isnan(value)) return "-";
   std::ostringstream text;
   if (std::abs(value) >= 100.0) {
     text << std::fixed << std::setprecision(0) << value;
@@ -97,10 +104,12 @@ std::string numberText(double value) {
 }
 
 void printTable(std::ostream& out, const Table& table) {
+  const int width = columnWidth(table);
   out << '\n' << table.title << "\n  " << std::left << std::setw(kLabelWidth) << table.parameter << std::right;
-  for (const std::string& column : table.columns) out << std::setw(kColumnWidth) << column;
+  for (const std::string& column : table.columns) out << std::setw(width) << column;
   out << '\n';
-  for (const Row& row : table.rows) printRow(out, row);
+  for (const Row& row : table.rows) printRow(out, width, row);
+  for (const std::string& note : table.notes) out << "  " << note << '\n';
 }
 
 nlohmann::ordered_json tableJson(const Table& table) {
@@ -114,11 +123,8 @@ nlohmann::ordered_json tableJson(const Table& table) {
                     {"thesis_ratio", ratios(row.thesis, row.thesisBase)},
                     {"wanted", row.wanted}});
   }
-  return {{"name", table.name},
-          {"title", table.title},
-          {"parameter", table.parameter},
-          {"columns", table.columns},
-          {"rows", rows}};
+  return {{"name", table.name},       {"title", table.title}, {"parameter", table.parameter},
+          {"columns", table.columns}, {"rows", rows},         {"notes", table.notes}};
 }
 
 }  // namespace cdsm::cli

@@ -27,6 +27,7 @@ struct Table {
   std::string parameter;
   std::vector<std::string> columns;
   std::vector<Row> rows;
+  std::vector<std::string> notes;  ///< below the table: why a column has no figures
 };
 
 /// A row without ratios, whose figures are still to come.
@@ -49,7 +50,7 @@ double median(std::vector<double> values);
 /// two x differ; otherwise the result is NaN.
 double powerLawExponent(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Three significant digits, or all of those before the point.
+/// Three significant digits, or all of those before the point; "-" for NaN, which stands for no figure.
 std::string numberText(double value);
 
 void printTable(std::ostream& out, const Table& table);

@@ -17,7 +17,9 @@ MOST_COLUMNS = 7  # wider tables are turned, so that their columns become lines
 
 
 def number(value):
-    """Three significant digits, or all of those before the point."""
+    """Three significant digits, or all of those before the point; a dash where there is no figure."""
+    if value is None:
+        return "–"
     return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 
@@ -57,7 +59,8 @@ def table_text(table):
     lines += [[label] + values for row in table["rows"] for label, values in lines_of(row)]
     if len(table["columns"]) > MOST_COLUMNS:
         lines = [list(line) for line in zip(*lines)]
-    return f"**{powers(table['title'])}**\n\n" + "\n".join(markdown(lines))
+    notes = "".join(f"\n\n{note}" for note in table["notes"])
+    return f"**{powers(table['title'])}**\n\n" + "\n".join(markdown(lines)) + notes
 
 
 def suite_text(results):

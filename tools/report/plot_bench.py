@@ -189,6 +189,29 @@ def plot_clustering(results):
     return figure
 
 
+def plot_memory(results):
+    """The first scene at its first size: room, and lookups in no order, of each strategy in both formats."""
+    table = results["tables"][1]
+    names = [column.split(", ") for column in table["columns"]]
+    strategies = list(dict.fromkeys(strategy for strategy, _ in names))
+    figure, axes = panels(2, 9.0, 3.4)
+    for axis, label in zip(axes, ("reserved", "a million lookups anywhere")):
+        row = row_of(table, label)
+        for number, form in enumerate(dict.fromkeys(form for _, form in names)):
+            values = [value or 0 for value, (_, of) in zip(row["ours"], names) if of == form]
+            bars = axis.bar([x + 0.4 * (number - 0.5) for x in range(len(values))], values, 0.38, label=form,
+                            color=(ORANGE, BLUE)[number], hatch=("///", "")[number], edgecolor="white", linewidth=0)
+            axis.bar_label(bars, [f"{value:.3g}" for value in values], fontsize=7, padding=1)
+        ticks(axis, strategies)
+        axis.grid(axis="x", visible=False)
+        axis.set(title=f"{label}, {row['unit']}")
+    axes[0].set(yscale="log")
+    axes[0].legend(loc="upper center")
+    figure.suptitle(powers(table["title"]), fontsize=9)
+    figure.tight_layout()
+    return figure
+
+
 def plot_demo(results):
     table = results["tables"][0]
     figure, (axis,) = panels(1, 6.5, 3.4)
@@ -208,6 +231,7 @@ def plot_demo(results):
 PLOTS = {
     "demo": plot_demo, "map-size": plot_map_size, "volume-size": plot_variants, "tolerance": plot_variants,
     "objects": plot_objects, "chunks": plot_chunks, "gallery": plot_gallery, "clustering": plot_clustering,
+    "memory": plot_memory,
 }
 
 
