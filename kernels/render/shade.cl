@@ -7,7 +7,7 @@
 /// A group per tile, an item per pixel. image: rgba, row after row; samples[pixel]: volume samples shaded.
 __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __global const uint2* ranges,
                           __global const LightData* lights, __global float4* image, __global uint* samples,
-                          CDSM_TECHNIQUE_PARAMS, CDSM_SCENE_PARAMS) {
+                          CDSM_LIGHT_PARAMS, CDSM_SCENE_PARAMS) {
   CDSM_SCENE_ACCESS(scene);
   uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
   int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);
@@ -25,9 +25,9 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
   while (walk.left > 0 && r.transparency > CDSM_OPAQUE) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
-      shadeSegment(&r, scene, &walk, depth, &params, lights, CDSM_TECHNIQUE_ARGS CDSM_VOLUME_ARGS);
+      shadeSegment(&r, scene, &walk, depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     if (r.transparency > CDSM_OPAQUE)
-      shadeSurface(&r, scene, nextFacing(&walk) >> 1, depth, &params, lights, CDSM_TECHNIQUE_ARGS CDSM_VOLUME_ARGS);
+      shadeSurface(&r, scene, nextFacing(&walk) >> 1, depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     passFragment(&walk, scene);
   }
   if (r.transparency <= CDSM_OPAQUE) r.transparency = 0.0f;

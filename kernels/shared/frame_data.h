@@ -2,6 +2,7 @@
 // Arguments of the kernels that march rays: building maps, shading the image, answering queries.
 #pragma once
 #include "shared/map_data.h"
+#include "shared/scene_data.h"
 #include "shared/types.h"
 #include "shared/view_data.h"
 
@@ -39,6 +40,16 @@ typedef struct QueryParams {
   uint light;
 } QueryParams;
 CDSM_SIZE(QueryParams, 8);
+
+/// Part of one light's shadow volume of one volume.
+typedef struct FillParams {
+  Affine worldFromIndex;
+  int4 size;                   ///< voxels along x, y, z
+  uint firstVoxel, lastVoxel;  ///< those in between are filled, the last one not
+  uint firstBlock;             ///< of the shadow volume, in CDSM_SHADOW_BLOCK voxels
+  uint light;
+} FillParams;
+CDSM_SIZE(FillParams, 80);
 
 /// What any technique may need to know; each uses its part.
 typedef struct TechniqueParams {

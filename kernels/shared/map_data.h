@@ -17,7 +17,8 @@ typedef struct LightData {
   float front;       ///< directional: dot(position.xyz, p) of a plane that the whole scene lies behind
   uint formerCount;  ///< maps behind those that are fading out; each set of maps tells the whole transmittance
   float share;       ///< of the first set, where a second one fades out
-  uint padding0, padding1;
+  uint firstShadowBlock;  ///< cache "volume": of its shadow volumes, in CDSM_SHADOW_BLOCK voxels
+  uint mediumCount;  ///< of the scene
 } LightData;
 CDSM_SIZE(LightData, 80);
 

@@ -41,8 +41,15 @@ typedef struct MediumData {
   uint shading;           ///< 0 | 1: Phong with the gradient as normal
   uint boxObject;         ///< volume cut by a mesh: object of its box, inside of which a ray must be too; else ~0
   uint receives;          ///< 0 | 1: it is shadowed
+  uint firstShadowBlock;  ///< cache "volume": of this volume among those of a light, in CDSM_SHADOW_BLOCK voxels
+  uint padding0, padding1, padding2;
 } MediumData;
-CDSM_SIZE(MediumData, 144);
+CDSM_SIZE(MediumData, 160);
+
+/// Shadow volumes start at multiples of so many voxels, which lets 32 bits say where.
+#define CDSM_SHADOW_BLOCK 64
+/// A shadow volume's value for a transmittance of 1.
+#define CDSM_SHADOW_ONE 65535.0f
 
 /// Edge of a macrocell in voxels. A cell's bounds cover its 8 + 1 voxels per axis: all that its samples interpolate.
 #define CDSM_MACROCELL 8

@@ -94,16 +94,18 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                 F(padding) CDSM_END
 
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
-        F(padding0) F(padding1) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin) F(originU)
-            F(originV) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode) F(nearDepth)
-                F(face) F(wideTable) F(padding) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes) F(maxTileNodes)
-                    F(unfilledTiles) F(nodesLow) F(nodesHigh) F(roomLow) F(roomHigh) CDSM_END
+        F(firstShadowBlock) F(mediumCount) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin)
+            F(originU) F(originV) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode)
+                F(nearDepth) F(face) F(wideTable) F(padding) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes)
+                    F(maxTileNodes) F(unfilledTiles) F(nodesLow) F(nodesHigh) F(roomLow) F(roomHigh) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
         F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(padding0) F(padding1) CDSM_END
     CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias)
-        F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) CDSM_END CDSM_BEGIN(CellParams) F(cells)
-            F(lutScale) F(lutBias) F(lutLast) F(padding) CDSM_END
+        F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) F(firstShadowBlock) F(padding0) F(padding1)
+            F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(size) F(firstVoxel) F(lastVoxel)
+                F(firstBlock) F(light) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
+                    F(padding) CDSM_END
 
     template <class T>
     SharedStruct entry(const char* name, const char* header) {
@@ -118,14 +120,14 @@ std::vector<SharedStruct> sharedStructs() {
   return {CDSM_ENTRY(BvhNode, "bvh_data.h"),           CDSM_ENTRY(BvhTriangle, "bvh_data.h"),
           CDSM_ENTRY(BuildParams, "frame_data.h"),     CDSM_ENTRY(ShadeParams, "frame_data.h"),
           CDSM_ENTRY(DepthParams, "frame_data.h"),     CDSM_ENTRY(QueryParams, "frame_data.h"),
-          CDSM_ENTRY(TechniqueParams, "frame_data.h"), CDSM_ENTRY(ScreenTriangle, "layer_data.h"),
-          CDSM_ENTRY(RasterCounters, "layer_data.h"),  CDSM_ENTRY(SetupParams, "layer_data.h"),
-          CDSM_ENTRY(LightData, "map_data.h"),         CDSM_ENTRY(MapData, "map_data.h"),
-          CDSM_ENTRY(MemoryParams, "map_data.h"),      CDSM_ENTRY(BuildCounters, "map_data.h"),
-          CDSM_ENTRY(Affine, "scene_data.h"),          CDSM_ENTRY(ObjectData, "scene_data.h"),
-          CDSM_ENTRY(MediumData, "scene_data.h"),      CDSM_ENTRY(CellParams, "scene_data.h"),
-          CDSM_ENTRY(ViewData, "view_data.h"),         CDSM_ENTRY(ProbeParams, "debug_data.h"),
-          CDSM_ENTRY(MapProbe, "debug_data.h")};
+          CDSM_ENTRY(TechniqueParams, "frame_data.h"), CDSM_ENTRY(FillParams, "frame_data.h"),
+          CDSM_ENTRY(ScreenTriangle, "layer_data.h"),  CDSM_ENTRY(RasterCounters, "layer_data.h"),
+          CDSM_ENTRY(SetupParams, "layer_data.h"),     CDSM_ENTRY(LightData, "map_data.h"),
+          CDSM_ENTRY(MapData, "map_data.h"),           CDSM_ENTRY(MemoryParams, "map_data.h"),
+          CDSM_ENTRY(BuildCounters, "map_data.h"),     CDSM_ENTRY(Affine, "scene_data.h"),
+          CDSM_ENTRY(ObjectData, "scene_data.h"),      CDSM_ENTRY(MediumData, "scene_data.h"),
+          CDSM_ENTRY(CellParams, "scene_data.h"),      CDSM_ENTRY(ViewData, "view_data.h"),
+          CDSM_ENTRY(ProbeParams, "debug_data.h"),     CDSM_ENTRY(MapProbe, "debug_data.h")};
 }
 
 }  // namespace cdsm::kernels

@@ -450,7 +450,6 @@ LATER = [
     for value in (
         "shadows.technique=stochastic",
         "shadows.transmittance=rgb",
-        "shadows.cache=volume",
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",
     )

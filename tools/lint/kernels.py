@@ -37,6 +37,7 @@ def files_with(folder, text):
 # What a text may mention, and the values to try; None: not defined.
 CHOICES = {
     "CDSM_TECHNIQUE": files_with("technique", "#define CDSM_TECHNIQUE_PARAMS"),
+    "CDSM_CACHE": files_with("cache", "#define CDSM_LIGHT_PARAMS"),
     "CDSM_MARCH": files_with("build", "void beginMarch("),
     "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
@@ -93,7 +94,7 @@ def variants(entry, chosen=None):
         text += (KERNELS / path).read_text()
     wanted = [name for name in CHOICES
               if name not in chosen and (name in seen or re.search(rf"\b{re.escape(name)}\b(?!\.)", text))]
-    includes = [name for name in wanted if name in ("CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY")]
+    includes = [name for name in wanted if name in ("CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY")]
     if not wanted:
         yield chosen
         return

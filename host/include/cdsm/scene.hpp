@@ -40,13 +40,14 @@ struct ShadowSettings {
   std::string toleranceMode = "samples";  ///< samples | everywhere: where V' is within the tolerance
   std::string filter = "bilinear";        ///< bilinear | nearest
   std::string rays = "exact";             ///< shadow-rays: exact | opaque
-  float threshold = 0.5f;            ///< shadow-map, opaque rays: opacity above which all light is stopped, in [0, 1)
-  int pcf = 1;                       ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
-  int clusters = 1;                  ///< the most clusters of casters per light; 1: no clustering
-  float clusterDistance = 0.25f;     ///< d0, in units of the light-space-perspective [-1, 1] square
-  bool stable = false;               ///< hand over smoothly when clusters change; frames depend on those before
-  float step = 0.0f;                 ///< ray step in world units; 0: half the smallest voxel edge in the segment
-  float memoryLimitMb = 0.0f;        ///< MiB of finished maps; 0: as many as the device has
+  float threshold = 0.5f;         ///< shadow-map, opaque rays: opacity above which all light is stopped, in [0, 1)
+  int pcf = 1;                    ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
+  int clusters = 1;               ///< the most clusters of casters per light; 1: no clustering
+  float clusterDistance = 0.25f;  ///< d0, in units of the light-space-perspective [-1, 1] square
+  bool stable = false;            ///< hand over smoothly when clusters change; frames depend on those before
+  float step = 0.0f;              ///< ray step in world units; 0: half the smallest voxel edge in the segment
+  float memoryLimitMb = 0.0f;     ///< MiB of finished maps; 0: as many as the device has
+  std::string cache = "none";     ///< none | volume: transmittance at every voxel, kept until light or casters change
   std::string onOverflow = "error";  ///< of that limit: error | coarsen (a larger tolerance)
   float bias = 0.0f;                 ///< world units towards the light for surface points; 0: chosen from the scene
 };

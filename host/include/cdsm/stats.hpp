@@ -42,6 +42,12 @@ struct MemoryStats {
   double mergeError = 0.0;  ///< strategy "fixed" alone: no visibility function moved by more when nodes were merged
 };
 
+/// Of shadows.cache "volume".
+struct CacheStats {
+  std::uint64_t bytes = 0;
+  bool filled = false;  ///< in this frame; false: as it was
+};
+
 /// One launch of a kernel, by its human name.
 struct KernelTime {
   std::string name;
@@ -61,6 +67,7 @@ struct FrameStats {
   double totalMs = 0.0;  ///< wall clock
   std::vector<LightStats> lights;
   MemoryStats memory;
+  std::optional<CacheStats> cache;  ///< none without one
   std::vector<KernelTime> kernels;
   std::uint64_t shadedSamples = 0;    ///< volume samples with an opacity, summed over the camera's rays
   std::vector<std::string> warnings;  ///< what is other than the scene asks for, and why

@@ -92,6 +92,8 @@ void DeviceScene::clear() {
   extinctionLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
+  grids_.clear();
+  shadowBlocks_ = 0;
 }
 
 void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
@@ -111,6 +113,9 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   medium.shading = volume.shading;
   medium.receives = volume.shadow.receives;
   medium.boxObject = volume.boundary < 0 ? ~0u : boxObject(scene, volume);
+  medium.firstShadowBlock = shared::uint(shadowBlocks_);
+  grids_.push_back({affineOf(worldFromIndex), medium.size, medium.firstShadowBlock});
+  shadowBlocks_ += (std::size_t(size.x) * size.y * size.z + CDSM_SHADOW_BLOCK - 1) / CDSM_SHADOW_BLOCK;
   for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;

@@ -19,6 +19,13 @@
 
 namespace cdsm::build {
 
+/// The voxels of a volume as points in the world.
+struct VolumeGrid {
+  shared::Affine worldFromIndex;
+  shared::int4 size;        ///< voxels along x, y, z
+  shared::uint firstBlock;  ///< its MediumData::firstShadowBlock
+};
+
 class DeviceScene {
  public:
   explicit DeviceScene(device::Device& device) : device_(device), slots_(device), geometry_(device), cells_(device) {}
@@ -50,6 +57,12 @@ class DeviceScene {
   /// Per medium, the extinction above which a sample's opacity is over `threshold`: that of a volume per its unit
   /// distance, of an interior per world unit. Infinite where no opacity gets over it, capped as it is.
   std::vector<float> opaqueExtinctions(float threshold) const;
+
+  std::size_t mediumCount() const { return hostMedia_.size(); }
+  /// Of all volumes.
+  const std::vector<VolumeGrid>& volumeGrids() const { return grids_; }
+  /// Blocks of CDSM_SHADOW_BLOCK voxels that hold a value for each voxel of each volume.
+  std::size_t shadowBlocks() const { return shadowBlocks_; }
 
   /// Per medium.
   const std::vector<ExtinctionCurve>& curves() const { return curves_; }
@@ -92,6 +105,8 @@ class DeviceScene {
   std::vector<float> extinctionLut_;
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
+  std::vector<VolumeGrid> grids_;
+  std::size_t shadowBlocks_ = 0;
 
   device::Buffer<shared::MediumData> media_;
   device::Buffer<float> extinctions_;

@@ -21,6 +21,7 @@ FrameState::FrameState(const EngineOptions& options)
       raster_(*device_),
       shade_(*device_),
       query_(*device_),
+      cache_(*device_),
       debug_(*device_),
       mapReader_(*device_) {
   device_->profiler().setTrace(options_.trace);
@@ -60,7 +61,7 @@ build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
 
 render::ShadedView FrameState::shade(const Scene& scene) {
   const device::HostStep traced = step("shade view");
-  render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_);
+  render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_);
   stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
   return shaded;
 }
@@ -71,7 +72,7 @@ std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::si
   beginStats();
   prepare(scene, cluster::Purpose::Points);
   device_->profiler().beginGroup("render");
-  const std::vector<float> values = query_.run(scene, deviceScene_, light, points, lights_, *technique_);
+  const std::vector<float> values = query_.run(scene, deviceScene_, light, points, lights_, *technique_, cache_);
   std::vector<Transmittance> results;
   results.reserve(values.size());
   for (const float value : values) results.push_back({std::uint8_t(value >= 0.0f), std::max(value, 0.0f)});
@@ -104,8 +105,12 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
     technique_.reset();
     technique_ = technique::makeTechnique(scene.shadows, *device_);
   }
-  prepareTechnique(scene, purpose, !objects || !technique);
+  // a shadow volume is to serve all cameras, so maps may not be made for this one
+  const bool anyCamera = scene.shadows.cache == "volume";
+  prepareTechnique(scene, anyCamera ? cluster::Purpose::Points : purpose, !objects || !technique);
   uploadLights(scene);
+  cache_.prepare(scene, deviceScene_, lights_, *technique_,
+                 [this](const char* step, float done) { progress(step, done); });
   current_ = scene;
 }
 
@@ -129,6 +134,8 @@ void FrameState::uploadLights(const Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     lights.push_back(cluster::lightData(scene.lights[i], deviceScene_.bounds()));
     technique_->describeLight(i, lights.back());
+    lights.back().firstShadowBlock = shared::uint(i * deviceScene_.shadowBlocks());
+    lights.back().mediumCount = shared::uint(deviceScene_.mediumCount());
   }
   lights_ = device::Buffer<shared::LightData>::fromHost(*device_, lights, "lights");
 }
@@ -149,6 +156,7 @@ void FrameState::finishStats(const Scene& scene) {
   profiler.flushTrace();
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
+  stats_.cache = cache_.stats();
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
 }
 

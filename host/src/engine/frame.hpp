@@ -16,6 +16,7 @@
 #include "render/map_reader.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
+#include "render/shadow_volume.hpp"
 #include "scene/data_checks.hpp"
 #include "technique/shadow_technique.hpp"
 
@@ -67,6 +68,7 @@ class FrameState {
   build::RasterPass raster_;
   render::ShadePass shade_;
   render::QueryPass query_;
+  render::ShadowVolume cache_;
   render::DebugPass debug_;
   render::MapReader mapReader_;
   std::unique_ptr<technique::ShadowTechnique> technique_;

@@ -80,6 +80,7 @@ Json frameJson(const FrameStats& frame) {
                {"shaded_samples", frame.shadedSamples},
                {"warnings", frame.warnings},
                {"reports", frame.reports}};
+  if (frame.cache) json["cache"] = {{"bytes", frame.cache->bytes}, {"filled", frame.cache->filled}};
   if (frame.view) json["view"] = viewJson(*frame.view);
   return json;
 }
@@ -101,6 +102,7 @@ Json settingsJson(const ShadowSettings& shadows) {
           {"step", fewestDigits(shadows.step)},
           {"memory_limit_mb", fewestDigits(shadows.memoryLimitMb)},
           {"on_overflow", shadows.onOverflow},
+          {"cache", shadows.cache},
           {"bias", fewestDigits(shadows.bias)}};
 }
 

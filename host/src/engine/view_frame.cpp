@@ -69,7 +69,8 @@ std::vector<std::int64_t> FrameState::viewCounts(const Scene& scene, DebugView v
     Scene dark = scene;
     dark.lights.clear();
     build::Layers& layers = rasterizeCamera(scene);
-    for (const std::uint32_t count : shade_.run(dark, deviceScene_, layers, lights_, technique::None()).samples)
+    for (const std::uint32_t count :
+         shade_.run(dark, deviceScene_, layers, lights_, technique::None(), render::ShadowVolume(*device_)).samples)
       countOrNothing(count);
   }
   return counts;

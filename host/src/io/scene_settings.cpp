@@ -19,7 +19,7 @@ const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};
 const Choices kRays{{"exact", "opaque"}, {}};
 const Choices kTransmittances{{"grey"}, {"rgb"}};
-const Choices kCaches{{"none"}, {"volume"}};
+const Choices kCaches{{"none", "volume"}, {}};
 
 /// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
 /// accepted and ignored: nothing that this version computes depends on it.
@@ -70,9 +70,9 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.step = reader.number("step", shadows.step, scene::kNotNegative);
   shadows.memoryLimitMb = reader.number("memory_limit_mb", shadows.memoryLimitMb, scene::kNotNegative);
   shadows.onOverflow = reader.choice("on_overflow", shadows.onOverflow, kOverflows);
+  shadows.cache = reader.choice("cache", shadows.cache, kCaches);
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
   reader.choice("transmittance", "grey", kTransmittances);
-  reader.choice("cache", "none", kCaches);
   for (const auto& [key, accepted] : kLaterShadowKeys) reader.refuseUnless(key, accepted);
   reader.locate("tolerance", [&] { scene::validateShadows(shadows); });  // all else has been checked above
   return shadows;

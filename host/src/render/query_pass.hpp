@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "build/device_scene.hpp"
+#include "render/shadow_volume.hpp"
 #include "technique/shadow_technique.hpp"
 
 namespace cdsm::render {
@@ -16,7 +17,7 @@ class QueryPass {
   /// One value per point: transmittance, -1 where not lit. `light`: number of the light.
   std::vector<float> run(const Scene& scene, const build::DeviceScene& deviceScene, std::size_t light,
                          const std::vector<glm::vec3>& points, const device::Buffer<shared::LightData>& lights,
-                         const technique::ShadowTechnique& technique);
+                         const technique::ShadowTechnique& technique, const ShadowVolume& cache);
 
  private:
   device::Device& device_;

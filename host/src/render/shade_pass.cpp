@@ -26,8 +26,8 @@ float surfaceBias(const Scene& scene, const build::DeviceScene& deviceScene) {
 }
 
 ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
-                          const device::Buffer<shared::LightData>& lights,
-                          const technique::ShadowTechnique& technique) {
+                          const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
+                          const ShadowVolume& cache) {
   using ShadeKernel =
       device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
                      device::Buffer<shared::LightData>, device::Buffer<shared::float4>, device::Buffer<std::uint32_t>,
@@ -40,11 +40,12 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
     image_ = device::Buffer<shared::float4>(device_, pixels, "image");
     samples_ = device::Buffer<std::uint32_t>(device_, pixels, "samples per pixel");
   }
-  ShadeKernel shadePixels(
-      device_, build::sceneProgram(device_, deviceScene, "render/shade.cl", technique.kernelFiles()), "shadePixels");
+  ShadeKernel shadePixels(device_,
+                          build::sceneProgram(device_, deviceScene, "render/shade.cl", cache.kernelFiles(technique)),
+                          "shadePixels");
   const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
   shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, shadeParams(scene, deviceScene, view), layers.fragments,
-              layers.ranges, lights, image_, samples_, technique.params(scene), technique.arguments(),
+              layers.ranges, lights, image_, samples_, technique.params(scene), cache.arguments(technique),
               deviceScene.arguments(deviceScene.allObjects(), layers.initialObjects));
   ShadedView shaded;
   shaded.pixels = image_.download();

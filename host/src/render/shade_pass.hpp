@@ -6,6 +6,7 @@
 
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
+#include "render/shadow_volume.hpp"
 #include "technique/shadow_technique.hpp"
 
 namespace cdsm::render {
@@ -23,7 +24,8 @@ class ShadePass {
   explicit ShadePass(device::Device& device) : device_(device) {}
 
   ShadedView run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
-                 const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique);
+                 const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
+                 const ShadowVolume& cache);
 
  private:
   device::Device& device_;

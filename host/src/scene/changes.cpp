@@ -96,4 +96,18 @@ bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
   return settings(a) == settings(b);
 }
 
+bool sameTransmittance(const Scene& a, const Scene& b) {
+  const auto settings = [](const ShadowSettings& s) {
+    return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.clusters, s.clusterDistance, s.cache);
+  };
+  if (!sameMapSettings(a.shadows, b.shadows) || settings(a.shadows) != settings(b.shadows)) return false;
+  if (a.lights.size() != b.lights.size() || a.meshes.size() != b.meshes.size() || a.volumes.size() != b.volumes.size())
+    return false;
+  for (std::size_t i = 0; i < a.lights.size(); ++i)
+    if (lightChange(a.lights[i], b.lights[i]) != LightChange::None) return false;
+  for (unsigned i = 0; i < a.meshes.size() + a.volumes.size(); ++i)
+    if (casterChange(a, b, i) != CasterChange::None) return false;
+  return true;
+}
+
 }  // namespace cdsm::scene

@@ -27,4 +27,7 @@ LightChange lightChange(const Light& a, const Light& b);
 /// Settings that go into maps.
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b);
 
+/// True if light arrives at points as before: the same lights, but for their colours, casters and technique.
+bool sameTransmittance(const Scene& a, const Scene& b);
+
 }  // namespace cdsm::scene

@@ -116,6 +116,7 @@ void validateShadows(const ShadowSettings& shadows) {
   requireEither(shadows.rays, "exact", "opaque", "shadows rays");
   requireEither(shadows.toleranceMode, "samples", "everywhere", "shadows tolerance_mode");
   requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
+  requireEither(shadows.cache, "none", "volume", "shadows cache");
 }
 
 void validateLight(const Light& light) {
