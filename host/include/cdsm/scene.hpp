@@ -35,6 +35,7 @@ struct ShadowSettings {
   std::string technique = "deep-shadow-map";
   std::string memory = "chunked";
   int maxNodes = 16;                      ///< memory "fixed": nodes per texel, in [2, 256]
+  std::string nodeFormat = "float32";     ///< float32 | unorm16: how a node of a deep shadow map is stored
   int mapSize = 512;                      ///< texels per side
   float tolerance = 0.01f;                ///< epsilon of the compression, in opacity, in [0, 1)
   std::string toleranceMode = "samples";  ///< samples | everywhere: where V' is within the tolerance

@@ -100,7 +100,8 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   if (!objects) uploadObjects(scene);
   const bool technique = before && before->shadows.technique == scene.shadows.technique &&
                          before->shadows.memory == scene.shadows.memory &&
-                         before->shadows.maxNodes == scene.shadows.maxNodes;
+                         before->shadows.maxNodes == scene.shadows.maxNodes &&
+                         before->shadows.nodeFormat == scene.shadows.nodeFormat;
   if (!technique) {
     technique_.reset();
     technique_ = technique::makeTechnique(scene.shadows, *device_);

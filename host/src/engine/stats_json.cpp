@@ -89,6 +89,7 @@ Json settingsJson(const ShadowSettings& shadows) {
   return {{"technique", shadows.technique},
           {"memory", shadows.memory},
           {"max_nodes", shadows.maxNodes},
+          {"node_format", shadows.nodeFormat},
           {"map_size", shadows.mapSize},
           {"tolerance", fewestDigits(shadows.tolerance)},
           {"tolerance_mode", shadows.toleranceMode},

@@ -22,6 +22,7 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
      {{"technique", KeyShape::Text},
       {"memory", KeyShape::Text},
       {"max_nodes", KeyShape::Integer},
+      {"node_format", KeyShape::Text},
       {"map_size", KeyShape::Integer},
       {"tolerance", KeyShape::Number},
       {"tolerance_mode", KeyShape::Text},

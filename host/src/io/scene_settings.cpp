@@ -14,6 +14,7 @@ namespace {
 
 const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map"}, {"stochastic", "implicit-sphere"}};
 const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
+const Choices kNodeFormats{{"float32"}, {"unorm16"}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
 const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};
@@ -57,6 +58,7 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.technique = reader.choice("technique", shadows.technique, kTechniques);
   shadows.memory = reader.choice("memory", shadows.memory, kMemories);
   shadows.maxNodes = reader.integer("max_nodes", shadows.maxNodes, scene::kMaxNodes);
+  shadows.nodeFormat = reader.choice("node_format", shadows.nodeFormat, kNodeFormats);
   shadows.mapSize = reader.integer("map_size", shadows.mapSize, scene::kMapSize);
   shadows.tolerance = reader.number("tolerance", shadows.tolerance, scene::kTolerance);
   shadows.toleranceMode = reader.choice("tolerance_mode", shadows.toleranceMode, kToleranceModes);

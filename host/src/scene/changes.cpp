@@ -91,7 +91,7 @@ bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
   if (std::tie(a.technique, a.mapSize, a.step) != std::tie(b.technique, b.mapSize, b.step)) return false;
   if (a.technique == "shadow-map") return a.threshold == b.threshold;
   const auto settings = [](const ShadowSettings& s) {
-    return std::tie(s.memory, s.maxNodes, s.tolerance, s.toleranceMode, s.memoryLimitMb, s.onOverflow);
+    return std::tie(s.memory, s.maxNodes, s.nodeFormat, s.tolerance, s.toleranceMode, s.memoryLimitMb, s.onOverflow);
   };
   return settings(a) == settings(b);
 }
