@@ -37,6 +37,7 @@ constexpr Suite kSuites[] = {
     {"chunks", "memory that chunks take and waste (Table 5.11)", benchChunks},
     {"gallery", "frame rates of all scenes, moving camera (Figure 5.14)", benchGallery},
     {"memory", "strategies and formats of nodes, [SCENE...] with [--map-sizes]", benchMemory},
+    {"techniques", "frames of all techniques, cached and not (Ropinski's Tables 1 and 2)", benchTechniques},
     {"clustering", "error of shadows and times, with clusters and without", benchClustering},
 };
 

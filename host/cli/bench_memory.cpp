@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr std::size_t kLookups = 1000000;
 constexpr int kLargestTruth = 1024;  ///< texels per side up to which functions fit that are not compressed
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* kStrategies[] = {"atlas", "chunked", "exact", "tiled", "fixed"};
 constexpr const char* kFormats[] = {"float32", "unorm16"};
@@ -41,8 +39,8 @@ enum Timed : std::size_t { kBuild, kAlong, kAnywhere, kFrame, kTimedCount };
 struct Entry {
   Variant variant;
   std::unique_ptr<Subject> subject;
-  std::vector<double> timed = std::vector<double>(kTimedCount, kNone);
-  double largestError = kNone, rmsError = kNone;
+  std::vector<double> timed = std::vector<double>(kTimedCount, kNoFigure);
+  double largestError = kNoFigure, rmsError = kNoFigure;
 };
 
 double texelsOf(const FrameStats& stats) {
@@ -121,7 +119,7 @@ Table tableOf(const std::vector<Entry>& entries, const std::string& title, std::
   for (const Entry& entry : entries) table.columns.push_back(entry.variant.strategy + ", " + entry.variant.format);
   const auto row = [&](const char* label, const char* unit, const auto& figure) {
     Row line = plainRow(label, unit);
-    for (const Entry& entry : entries) line.ours.push_back(entry.subject ? figure(entry) : kNone);
+    for (const Entry& entry : entries) line.ours.push_back(entry.subject ? figure(entry) : kNoFigure);
     table.rows.push_back(line);
   };
   const auto perTexel = [](const Entry& entry, std::uint64_t bytes) {
@@ -172,7 +170,7 @@ Table goalsTable(const std::string& title, std::size_t columns) {
 void addGoals(Table& goals, const std::vector<Entry>& entries) {
   const auto memory = [&](const char* strategy, const char* format, const auto& figure) {
     const Entry& entry = entryOf(entries, strategy, format);
-    return entry.subject ? figure(entry.subject->stats()) : kNone;
+    return entry.subject ? figure(entry.subject->stats()) : kNoFigure;
   };
   const auto wasted = [](const FrameStats& stats) {
     return double(stats.memory.bytesWasted) / std::max(1.0, double(stats.memory.bytesReserved));

@@ -103,7 +103,9 @@ double Subject::renderMs(const Scene& scene) {
 double Subject::frameMs() {
   const bool first = engine_.stats().lights.empty();
   const double milliseconds = renderMs(scene_);
-  if (!first && builtMaps(stats()) > 0) throw Error("maps were built in a frame that must be timed without");
+  const bool filled = stats().cache && stats().cache->filled;
+  if (!first && (filled || builtMaps(stats()) > 0))
+    throw Error("shadows were built in a frame that must be timed without");
   return milliseconds;
 }
 
@@ -121,11 +123,10 @@ double Subject::buildMs() {
   Scene tiny = shrunk(scene_);
   engine_.render(tiny);
   const double kept = renderMs(tiny);
-  nudged_ = !nudged_;
-  for (Light& light : tiny.lights) light = nudged(light, nudged_ ? kNudge : -kNudge);
+  nudgeLights();
+  tiny.lights = scene_.lights;
   const double built = renderMs(tiny);
   if (builtMaps(stats()) < mapCount(stats())) throw Error("maps were kept that must be built to be timed");
-  scene_.lights = tiny.lights;
   return std::max(built - kept, kLeastMs);
 }
 
@@ -136,6 +137,16 @@ double Subject::lookupMs(const std::vector<glm::vec3>& points) {
 
 std::vector<Transmittance> Subject::transmittance(const std::vector<glm::vec3>& points) {
   return engine_.transmittance(scene_, scene_.lights.front().name, points);
+}
+
+double Subject::movedLightMs() {
+  nudgeLights();
+  return renderMs(scene_);
+}
+
+void Subject::nudgeLights() {
+  nudged_ = !nudged_;
+  for (Light& light : scene_.lights) light = nudged(light, nudged_ ? kNudge : -kNudge);
 }
 
 void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }

@@ -57,6 +57,9 @@ class Subject {
   /// less another one with the maps kept.
   double buildMs();
 
+  /// A frame after all lights were changed by too little to be seen, with all that has to be built for it.
+  double movedLightMs();
+
   /// CPU time of clustering in the last call.
   double clusterMs() const { return engine_.stats().clusterMs; }
 
@@ -74,6 +77,8 @@ class Subject {
 
  private:
   double renderMs(const Scene& scene);
+  /// Back at every other time.
+  void nudgeLights();
 
   Engine engine_;
   Scene scene_;

@@ -35,4 +35,7 @@ std::vector<Table> benchClustering(const BenchOptions& options);
 /// Memory strategies and formats of nodes side by side, on scenes and sizes of maps.
 std::vector<Table> benchMemory(const BenchOptions& options);
 
+/// [Ropinski 2008, Tables 1 and 2]: techniques with and without a shadow volume, camera or light moving.
+std::vector<Table> benchTechniques(const BenchOptions& options);
+
 }  // namespace cdsm::cli

@@ -2,6 +2,7 @@
 // Tables of the benchmarks: figures measured here beside those of [Knecht 2011, §5.7], as values and as ratios.
 #pragma once
 
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include <nlohmann/json.hpp>
 
 namespace cdsm::cli {
+
+/// Stands for a figure that there is none of.
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 /// One quantity in all columns of a table. `thesis` and `wanted` are empty or as long as `ours`.
 struct Row {
@@ -50,7 +54,7 @@ double median(std::vector<double> values);
 /// two x differ; otherwise the result is NaN.
 double powerLawExponent(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Three significant digits, or all of those before the point; "-" for NaN, which stands for no figure.
+/// Three significant digits, or all of those before the point; "-" for kNoFigure.
 std::string numberText(double value);
 
 void printTable(std::ostream& out, const Table& table);

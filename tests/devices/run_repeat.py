@@ -13,6 +13,7 @@ import job
 TIMEOUT_SECONDS = 120
 SETTINGS = [["shadows.memory=" + name] for name in ["chunked", "atlas", "exact", "tiled", "fixed"]]
 SETTINGS += [["shadows.technique=" + name] for name in ["shadow-rays", "shadow-map"]]
+SETTINGS += [["shadows.technique=deep-shadow-map", "shadows.cache=volume"]]
 IMAGE = ["image.width=90", "image.height=60"]
 RUNS = [{"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "1"}]
 

@@ -52,6 +52,11 @@ TEST_P(TinyEngine, roomThatGrows) {
 TEST_P(TinyEngine, nodesThatAreMerged) {
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "fixed", "nearest"));
 }
+TEST_P(TinyEngine, everythingByCachedMaps) {
+  Scene scene = along(everythingScene(), "deep-shadow-map", "exact", "bilinear");
+  scene.shadows.cache = "volume";
+  expectSound(engine_, scene);
+}
 TEST_P(TinyEngine, debugPictures) {
   const Scene scene = along(everythingScene(), "deep-shadow-map", "chunked", "bilinear");
   for (const DebugView view : {DebugView::Clusters, DebugView::Nodes, DebugView::Steps, DebugView::Texels})

@@ -220,6 +220,8 @@ SCENES = [
     settings("too wide a filter", "pcf is 17, must be in [0, 16] texels", "shadows.pcf=17"),
     settings("pcf below 0", "pcf is -1, must be in [0, 16] texels", "shadows.pcf=-1"),
     settings("pcf of half a texel", "pcf is a number with a fraction", "shadows.pcf=0.5"),
+    settings("unknown cache", "unknown cache 'voxels', must be one of: none, volume", "shadows.cache=voxels"),
+    settings("cache as a flag", "cache is true or false", "shadows.cache=true"),
     settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
     scene("casting as a word", "casts_shadow is a string, must be true or false",
           b"closed.obj\"", b"closed.obj\"\ncasts_shadow = 'no'"),
