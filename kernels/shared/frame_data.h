@@ -44,12 +44,11 @@ CDSM_SIZE(QueryParams, 8);
 /// Part of one light's shadow volume of one volume.
 typedef struct FillParams {
   Affine worldFromIndex;
-  int4 size;                   ///< voxels along x, y, z
   uint firstVoxel, lastVoxel;  ///< those in between are filled, the last one not
-  uint firstBlock;             ///< of the shadow volume, in CDSM_SHADOW_BLOCK voxels
   uint light;
+  uint medium;
 } FillParams;
-CDSM_SIZE(FillParams, 80);
+CDSM_SIZE(FillParams, 64);
 
 /// What any technique may need to know; each uses its part.
 typedef struct TechniqueParams {

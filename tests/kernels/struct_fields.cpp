@@ -103,9 +103,8 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
         F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(padding0) F(padding1) CDSM_END
     CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias)
         F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) F(firstShadowBlock) F(padding0) F(padding1)
-            F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(size) F(firstVoxel) F(lastVoxel)
-                F(firstBlock) F(light) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
-                    F(padding) CDSM_END
+            F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(firstVoxel) F(lastVoxel) F(light)
+                F(medium) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast) F(padding) CDSM_END
 
     template <class T>
     SharedStruct entry(const char* name, const char* header) {

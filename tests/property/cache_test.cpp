@@ -128,7 +128,8 @@ TEST_P(Cached, servesAnyCamera) {
   turned.camera.position = {4.0f, 2.0f, -3.0f};
   const Image kept = engine_.render(turned);
   EXPECT_FALSE(engine_.stats().cache->filled);
-  EXPECT_TRUE(sameBytes(kept, Engine(EngineOptions{}).render(turned)));
+  // another camera may mean other clusters, whose maps agree to within their tolerance
+  EXPECT_LE(rmsDifference(kept, Engine(EngineOptions{}).render(turned)), kTolerance);
 }
 
 TEST_P(Cached, showsTheSameToItsResolution) {

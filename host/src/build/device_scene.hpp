@@ -22,8 +22,8 @@ namespace cdsm::build {
 /// The voxels of a volume as points in the world.
 struct VolumeGrid {
   shared::Affine worldFromIndex;
-  shared::int4 size;        ///< voxels along x, y, z
-  shared::uint firstBlock;  ///< its MediumData::firstShadowBlock
+  shared::uint voxels;
+  shared::uint medium;  ///< number of its medium
 };
 
 class DeviceScene {

@@ -36,9 +36,11 @@ void ShadowVolume::fill(const build::DeviceScene& deviceScene, std::size_t light
   using FillKernel =
       device::Kernel<shared::FillParams, device::Buffer<std::uint16_t>, device::Buffer<shared::LightData>,
                      shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
-  const std::size_t blocks = deviceScene.shadowBlocks();
+  const std::size_t voxels = deviceScene.shadowBlocks() * CDSM_SHADOW_BLOCK;
   voxels_ = {};
-  voxels_ = device::Buffer<std::uint16_t>(device_, lightCount * blocks * CDSM_SHADOW_BLOCK, "shadow volumes");
+  voxels_ = device::Buffer<std::uint16_t>(device_, lightCount * voxels, "shadow volumes");
+  voxels_.fill(std::uint16_t(CDSM_SHADOW_ONE));
+  std::size_t done = 0;
   const device::Buffer<std::uint32_t> noObjects(device_, 0, "objects around the eye");
   const device::ArgumentList sceneArguments = deviceScene.arguments(deviceScene.allObjects(), noObjects);
   FillKernel fillShadowVolume(
@@ -46,17 +48,15 @@ void ShadowVolume::fill(const build::DeviceScene& deviceScene, std::size_t light
       "fillShadowVolume");
   for (std::size_t light = 0; light < lightCount; ++light) {
     for (const build::VolumeGrid& grid : deviceScene.volumeGrids()) {
-      const shared::uint voxels = shared::uint(grid.size.x) * shared::uint(grid.size.y) * shared::uint(grid.size.z);
-      for (shared::uint first = 0; first < voxels;) {
-        const shared::uint count = std::min(voxels - first, kVoxelsOfLaunch);
-        const float part = float(double(grid.firstBlock) + double(first) / CDSM_SHADOW_BLOCK) / float(blocks);
-        progress(kStep, (float(light) + part) / float(lightCount));
+      for (shared::uint first = 0; first < grid.voxels;) {
+        const shared::uint count = std::min(grid.voxels - first, kVoxelsOfLaunch);
+        progress(kStep, float(double(done) / double(voxels_.size())));
         fillShadowVolume({"fill shadow volume", {count}, {64}},
-                         {grid.worldFromIndex, grid.size, first, first + count,
-                          shared::uint(light * blocks + grid.firstBlock), shared::uint(light)},
-                         voxels_, lights, params, technique.arguments(), sceneArguments);
+                         {grid.worldFromIndex, first, first + count, shared::uint(light), grid.medium}, voxels_, lights,
+                         params, technique.arguments(), sceneArguments);
         device_.finish();
         first += count;
+        done += count;
       }
     }
   }
