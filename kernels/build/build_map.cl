@@ -5,12 +5,11 @@
 
 /// The visibility function of texel (x, y), from its fragments to its nodes.
 CDSM_INLINE void buildTexel(const BuildParams* params, int x, int y, uint2 range, __global ulong* fragments,
-                            __global const uint* initialObjects, NodeWriter* writer,
+                            __global const uint* initialObjects, NodeWriter* writer, DepthScale scale,
                             SceneAccess scene CDSM_MARCH_PARAMS CDSM_VOLUME_PARAMS) {
   LightRay r;
   r.ray = rayThroughPixel(&params->view, x + 0.5f, y + 0.5f);
-  r.builder.writer = *writer;
-  r.builder.started = false;
+  r.builder = beginVisibility(writer, scale);
   r.transmittance = 1.0f;
 
   SegmentWalk walk = beginWalk(fragments, range, &params->view, initialObjects, scene);
@@ -35,18 +34,22 @@ CDSM_INLINE void buildTexel(const BuildParams* params, int x, int y, uint2 range
 /// group where the memory strategy lets them wait for each other.
 __kernel void buildVisibility(BuildParams params, __global ulong* fragments, __global const uint2* ranges,
                               __global const MapData* maps, CDSM_MEMORY_WRITE_PARAMS,
-                              CDSM_SCENE_PARAMS CDSM_MARCH_PARAMS) {
+                              CDSM_SCENE_PARAMS CDSM_MARCH_PARAMS CDSM_TILE_DEPTHS_WRITE_PARAM) {
   CDSM_SCENE_ACCESS(scene);
   __local TileMemory shared;
+  __local TileSpan span;
   uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
   int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);
   int y = (int)(tile / (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel >> 3);
+  uint2 range = ranges[tile * CDSM_TILE_PIXELS + pixel];
+  if (x >= params.view.width || y >= params.view.height) range.y = 0;
+  MapData map = maps[params.mapIndex];
+  float2 reach = raySpan(fragments, range, &params.view);
+  DepthScale scale = beginDepths(&map, tile, pixel, reach.x, reach.y, &span CDSM_TILE_DEPTHS_ARG);
   bool wanted = beginTile(tile, pixel, &shared, CDSM_MEMORY_WRITE_ARGS);
   if (wanted && x < params.view.width && y < params.view.height) {
-    MapData map = maps[params.mapIndex];
     NodeWriter writer = beginNodes(&map, x, y, &shared, CDSM_MEMORY_WRITE_ARGS);
-    buildTexel(&params, x, y, ranges[tile * CDSM_TILE_PIXELS + pixel], fragments, initialObjects, &writer,
-               scene CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
+    buildTexel(&params, x, y, range, fragments, initialObjects, &writer, scale, scene CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
     endNodes(&writer);
   }
   endTile(tile, pixel, &shared, CDSM_MEMORY_WRITE_ARGS);

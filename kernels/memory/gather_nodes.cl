@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strategy "chunked": linked chunks -> the nodes of each texel side by side [Knecht 2011, §4.2.2, "The Chunk Texture"].
-#include "memory/node_format.clh"
+#include CDSM_NODE_FORMAT
 
 /// A work item per texel. `starts`: prefix sums of the texels' node counts, texelCount + 1 of them.
 __kernel void gatherNodes(uint texelCount, uint firstNode, __global const uint* starts,

@@ -38,15 +38,17 @@ typedef struct MapData {
   float nearDepth;                       ///< nothing in front of it attenuates
   uint face;                             ///< side of an omni light whose points are looked up here, or CDSM_FACE_ANY
   uint wideTable;                        ///< exact: 1: 32-bit entries in its table, 0: 16-bit ones
-  uint padding;
+  uint firstTile;                        ///< of this map in the depth scales of tiles, for formats of nodes that need them
 } MapData;
 CDSM_SIZE(MapData, 208);
 
 /// Sides of an omni light: 0 .. 5 as +x, -x, +y, -y, +z, -z.
 #define CDSM_FACE_ANY 6u
 
-/// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between.
+/// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between. In memory
+/// strategies the depth is as the format of nodes stores it: (depth - x) * y of the tile's DepthScale.
 typedef float2 Node;
+typedef float2 DepthScale;
 
 /// Sizes of the memory strategy in use.
 typedef struct MemoryParams {

@@ -12,6 +12,7 @@ import job
 
 TIMEOUT_SECONDS = 120
 SETTINGS = [["shadows.memory=" + name] for name in ["chunked", "atlas", "exact", "tiled", "fixed"]]
+SETTINGS += [["shadows.node_format=unorm16", "shadows.memory=exact"]]
 SETTINGS += [["shadows.technique=" + name] for name in ["shadow-rays", "shadow-map"]]
 SETTINGS += [["shadows.technique=deep-shadow-map", "shadows.cache=volume"]]
 IMAGE = ["image.width=90", "image.height=60"]

@@ -49,6 +49,16 @@ TEST_P(TinyEngine, roomThatGrows) {
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "exact", "nearest"));
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "tiled", "nearest"));
 }
+TEST_P(TinyEngine, nodesOf16Bits) {
+  for (const char* memory : {"atlas", "chunked", "exact", "tiled", "fixed"}) {
+    Scene scene = along(stackScene(), "deep-shadow-map", memory, "nearest");
+    scene.shadows.nodeFormat = "unorm16";
+    expectSound(engine_, scene);
+  }
+  Scene scene = along(everythingScene(), "deep-shadow-map", "exact", "bilinear");
+  scene.shadows.nodeFormat = "unorm16";
+  expectSound(engine_, scene);
+}
 TEST_P(TinyEngine, nodesThatAreMerged) {
   expectSound(engine_, along(stackScene(), "deep-shadow-map", "fixed", "nearest"));
 }

@@ -40,12 +40,16 @@ __kernel void readNodes(uint mapIndex, __global const MapData* maps, __global co
 
 template <class Made>
 Strategy plain(const std::string& name) {
-  return {name, [](device::Device& device) { return std::make_unique<Made>(device); }};
+  return {name, [](device::Device& device, const memory::NodeFormat& format) {
+            return std::make_unique<Made>(device, format);
+          }};
 }
 
 template <class Made>
 Strategy twoPasses(const std::string& name) {
-  return {name, [](device::Device& device) { return std::make_unique<Made>(device, TileStrategy::Mode::Count); }};
+  return {name, [](device::Device& device, const memory::NodeFormat& format) {
+            return std::make_unique<Made>(device, format, TileStrategy::Mode::Count);
+          }};
 }
 
 /// Without repetitions of the last node, and without nodes that do not attenuate if there are no others.
@@ -68,8 +72,9 @@ const std::vector<Strategy>& exactStrategies() {
 }
 
 Strategy fixedStrategy(int nodesPerTexel) {
-  return {"fixed" + std::to_string(nodesPerTexel),
-          [=](device::Device& device) { return std::make_unique<memory::Fixed>(device, nodesPerTexel); }};
+  return {"fixed" + std::to_string(nodesPerTexel), [=](device::Device& device, const memory::NodeFormat& format) {
+            return std::make_unique<memory::Fixed>(device, format, nodesPerTexel);
+          }};
 }
 
 Strategy strategyNamed(const std::string& name) {
@@ -78,8 +83,11 @@ Strategy strategyNamed(const std::string& name) {
   throw Error("no strategy '" + name + "' in this test");
 }
 
-MapBuilder::MapBuilder(const Strategy& strategy, const std::string& fetch)
-    : device_(deviceOf(fetch)), memory_(strategy.make(device_)), raster_(device_), pass_(device_) {}
+MapBuilder::MapBuilder(const Strategy& strategy, const std::string& fetch, const std::string& format)
+    : device_(deviceOf(fetch)),
+      memory_(strategy.make(device_, memory::nodeFormat(format))),
+      raster_(device_),
+      pass_(device_) {}
 
 void MapBuilder::build(const std::vector<Scene>& scenes, int size, std::vector<int> kept) {
   build::DeviceScene onDevice(device_);
@@ -99,8 +107,8 @@ void MapBuilder::build(const std::vector<Scene>& scenes, int size, std::vector<i
 }
 
 Texels MapBuilder::read(std::size_t map) {
-  Defines defines{{"CDSM_MEMORY", '"' + std::string(memory_->kernelFile()) + '"'},
-                  {"CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device_))}};
+  Defines defines = build::memoryDefines(*memory_);
+  defines.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device_)));
   if (device_.fetchImages()) defines.emplace_back("CDSM_FETCH_IMAGE", "1");
   const cl::Program& program = testProgram(device_, kText, defines);
   const auto maps = device::Buffer<shared::MapData>::fromHost(device_, maps_, "maps");
@@ -123,6 +131,12 @@ Texels MapBuilder::read(std::size_t map) {
   for (std::size_t i = 0; i < texels; ++i)
     result.push_back(withoutPadding(Nodes(all.begin() + starts[i], all.begin() + starts[i + 1])));
   return result;
+}
+
+std::vector<std::pair<float, float>> MapBuilder::tileDepths(std::size_t map) const {
+  std::vector<std::pair<float, float>> scales;
+  for (const shared::float2& scale : memory_->tileDepths().download(maps_[map])) scales.emplace_back(scale.x, scale.y);
+  return scales;
 }
 
 }  // namespace cdsm::kernels

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernel_test.hpp"
+#include "memory/node_format.hpp"
 #include "reference/test_scenes.hpp"
 #include "shared/types.h"
 
@@ -18,7 +19,7 @@ using Nodes = device::Buffer<float2>;
 
 /// A memory strategy of one plain array per function.
 const char* const kMemory = R"(
-typedef float2 Node;
+#include CDSM_NODE_FORMAT
 typedef struct NodeWriter { __global Node* nodes; uint capacity, count; } NodeWriter;
 void writeNode(NodeWriter* w, Node node) { if (w->count < w->capacity) w->nodes[w->count] = node; ++w->count; }
 )";
@@ -26,17 +27,17 @@ void writeNode(NodeWriter* w, Node node) { if (w->count < w->capacity) w->nodes[
 /// An item per function. Events: (from, to, t, 0) a ramp, (z, z, t, 1) a surface; firsts[i] .. firsts[i + 1].
 const char* const kText = R"(
 #include "common/math.clh"
-#include "build/compress.clh"
-__kernel void compress(uint functions, float tolerance, uint capacity, __global const float4* events,
+#include "build/visibility.clh"
+__kernel void compress(uint functions, float tolerance, uint capacity, DepthScale scale, __global const float4* events,
                        __global const uint* firsts, __global float2* nodes, __global uint* counts) {
   uint i = (uint)get_global_id(0);
   if (i >= functions) return;
-  VisibilityBuilder b;
-  b.writer.nodes = nodes + i * capacity;
-  b.writer.capacity = capacity;
-  b.writer.count = 0;
+  NodeWriter writer;
+  writer.nodes = nodes + i * capacity;
+  writer.capacity = capacity;
+  writer.count = 0;
+  VisibilityBuilder b = beginVisibility(&writer, scale);
   b.tolerance = tolerance;
-  b.started = false;
   for (uint k = firsts[i]; k < firsts[i + 1]; ++k) {
     float4 e = events[k];
     if (e.w > 0.0f)
@@ -56,7 +57,9 @@ struct Event {
 using Function = std::vector<Event>;
 using Compressed = std::vector<float2>;
 
-std::vector<Compressed> compress(const std::vector<Function>& functions, float tolerance) {
+/// `format`: "float32", or "unorm16" with depths that count steps of `scale`.
+std::vector<Compressed> compress(const std::vector<Function>& functions, float tolerance,
+                                 const std::string& format = "float32", const float2& scale = {0.0f, 1.0f}) {
   device::Device& device = deviceOf();
   std::vector<float4> events;
   std::vector<std::uint32_t> firsts{0};
@@ -71,13 +74,16 @@ std::vector<Compressed> compress(const std::vector<Function>& functions, float t
   const auto starts = device::Buffer<std::uint32_t>::fromHost(device, firsts, "firsts");
   Nodes nodes(device, functions.size() * capacity, "nodes");
   device::Buffer<std::uint32_t> counts(device, functions.size(), "counts");
-  const cl::Program& program = testProgram(device, kText, {{"CDSM_MEMORY", "\"test/memory.clh\""}, {"CDSM_BATCH", "4"}},
+  const cl::Program& program = testProgram(device, kText,
+                                           {{"CDSM_MEMORY", "\"test/memory.clh\""},
+                                            {"CDSM_BATCH", "4"},
+                                            memory::nodeFormatDefine(memory::nodeFormat(format))},
                                            {{"test/memory.clh", kMemory}});
-  device::Kernel<std::uint32_t, float, std::uint32_t, device::Buffer<float4>, device::Buffer<std::uint32_t>, Nodes,
-                 device::Buffer<std::uint32_t>>
+  device::Kernel<std::uint32_t, float, std::uint32_t, float2, device::Buffer<float4>, device::Buffer<std::uint32_t>,
+                 Nodes, device::Buffer<std::uint32_t>>
       kernel(device, program, "compress");
   kernel({"compress", {functions.size()}, {kGroup}}, std::uint32_t(functions.size()), tolerance,
-         std::uint32_t(capacity), in, starts, nodes, counts);
+         std::uint32_t(capacity), scale, in, starts, nodes, counts);
   const std::vector<float2> all = nodes.download();
   std::vector<Compressed> result;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -122,10 +128,11 @@ void expectWithin(const Function& function, const Compressed& nodes, double tole
   }
 }
 
-void expectSound(const Function& function, const Compressed& nodes, const std::string& what) {
+/// `ends`: of a ramp, each of which may become so many nodes.
+void expectSound(const Function& function, const Compressed& nodes, const std::string& what, std::size_t ends = 2) {
   std::size_t samples = 2, surfaces = 0;
   for (const Event& e : function) {
-    samples += 2;  // a ramp adds its end, and its start where V was constant before
+    samples += ends;  // a ramp adds its end, and its start where V was constant before
     surfaces += e.surface;
   }
   EXPECT_LE(nodes.size(), samples + 2 * surfaces) << what;
@@ -199,6 +206,133 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Compression,
                            return kinds()[std::get<0>(instance.param)].name + "Tolerance" +
                                   std::to_string(int(1000.0f * std::get<1>(instance.param)));
                          });
+
+/// V just in front of z, or just behind it.
+double exactAt(const Function& function, double z, bool behind) {
+  double t = 1.0;
+  for (const Event& e : function) {
+    const bool before = behind ? e.from <= z : e.from < z;
+    if (!before) break;
+    const bool passed = e.surface || e.to <= z;
+    t = passed ? e.t : t + (e.t - t) * ((z - e.from) / (double(e.to) - e.from));
+  }
+  return t;
+}
+
+/// Of a cell between two depths that a node can have the compression knows V at the ends: V' is between these, but for
+/// the tolerance. At the ends themselves that is |V' - V| <= tolerance, but for surfaces in the cell.
+void expectWithinCells(const Function& function, const Compressed& nodes, float2 scale, double tolerance,
+                       const std::string& what) {
+  const double first = std::floor((double(function.front().from) - scale.x) * scale.y);
+  const double last = std::ceil((double(function.back().to) - scale.x) * scale.y);
+  for (double cell = std::max(first - 1.0, 0.0); cell <= last; ++cell) {
+    // stored depths are of single precision: of a surface at the end of a cell they say on which side it is
+    const double slack = 0.02, near = scale.x + (cell - slack) / scale.y,
+                 far = scale.x + (cell + 1.0 + slack) / scale.y;
+    const double high = exactAt(function, near, false) + tolerance, low = exactAt(function, far, true) - tolerance;
+    for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+      const double found = valueAt(nodes, cell + part, part == 0.0);
+      ASSERT_LE(found, high + kRounding) << what << "cell " << cell << " + " << part;
+      ASSERT_GE(found, low - kRounding) << what << "cell " << cell << " + " << part;
+    }
+  }
+}
+
+/// How far V falls in the cell of z and its neighbours.
+double steepnessAt(const Function& function, double z, float2 scale) {
+  return exactAt(function, z - 1.0 / scale.y, false) - exactAt(function, z + 1.0 / scale.y, true);
+}
+
+/// Where V falls by no more than `cellShare` of the tolerance between two depths that a node can have, all of |V' - V|
+/// is within it.
+int expectWithinWhereEven(const Function& function, const Compressed& nodes, float2 scale, double tolerance,
+                          double cellShare, const std::string& what) {
+  int checked = 0;
+  for (const Event& e : function)
+    for (const double z : {double(e.from), 0.5 * (double(e.from) + e.to), double(e.to)}) {
+      if (steepnessAt(function, z, scale) > cellShare * tolerance) continue;
+      ++checked;
+      EXPECT_NEAR(valueAt(nodes, (z - scale.x) * scale.y, false), exactAt(function, z, false), tolerance + kRounding)
+          << what << z;
+    }
+  return checked;
+}
+
+class CompressionToSteps : public ::testing::TestWithParam<std::tuple<std::size_t, float, float>> {};
+
+TEST_P(CompressionToSteps, staysWithinTheToleranceFallsAndEndsExactly) {
+  const auto [number, tolerance, step] = GetParam();
+  const Kind kind = kinds()[number];
+  const memory::NodeFormat& format = memory::nodeFormat("unorm16");
+  const float2 scale{0.5f * float(kind.start), 1.0f / step};
+  reference::Random random(std::uint32_t(91 + number));
+  std::vector<Function> functions;
+  for (int i = 0; i < 100; ++i) functions.push_back(randomFunction(kind, random));
+  const float forLines = format.compressionTolerance(tolerance);
+  const std::vector<Compressed> compressed = compress(functions, forLines, "unorm16", scale);
+  int even = 0;
+  for (std::size_t i = 0; i < functions.size() && !HasFailure(); ++i) {
+    const std::string what = kind.name + " " + std::to_string(i) + ": ";
+    expectSound(functions[i], compressed[i], what, 4);  // on both sides of each end
+    for (const float2& node : compressed[i]) ASSERT_EQ(node.x, std::floor(node.x)) << what << "between two steps";
+    expectWithinCells(functions[i], compressed[i], scale, double(forLines), what);
+    even += expectWithinWhereEven(functions[i], compressed[i], scale, tolerance, double(format.cellShare), what);
+  }
+  if (step < 1e-3f && tolerance >= 0.1f && kind.surfaces < 1.0) EXPECT_GT(even, 100) << "nothing was even";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, CompressionToSteps,
+                         ::testing::Combine(::testing::Range<std::size_t>(0, kinds().size()),
+                                            ::testing::Values(0.001f, 0.01f, 0.1f),
+                                            ::testing::Values(0.0005f, 0.01f, 0.07f)),
+                         [](const auto& instance) {
+                           return kinds()[std::get<0>(instance.param)].name + "Tolerance" +
+                                  std::to_string(int(1000.0f * std::get<1>(instance.param))) + "Step" +
+                                  std::to_string(int(10000.0f * std::get<2>(instance.param)));
+                         });
+
+TEST(StoredNodes, of16BitsAreRoundedAndKeepBothEnds) {
+  const char* const text = R"(
+#include CDSM_NODE_FORMAT
+__kernel void throughMemory(uint count, __global const Node* nodes, __global StoredNode* pool, __global Node* back) {
+  uint i = (uint)get_global_id(0);
+  if (i >= count) return;
+  storeNode(pool, i, nodes[i]);
+  back[i] = loadNode(pool, i);
+}
+)";
+  std::vector<float2> nodes{{0.0f, 1.0f}, {65535.0f, 0.0f}, {65536.0f, 1.0001f}};  // what is too great stays at the end
+  reference::Random random(5);
+  for (int i = 0; i < 1000; ++i) nodes.push_back({float(random.integer(0, 65535)), float(random.uniform(0.0, 1.0))});
+  device::Device& device = deviceOf();
+  const memory::NodeFormat& format = memory::nodeFormat("unorm16");
+  const Nodes in = Nodes::fromHost(device, nodes, "nodes");
+  Nodes out(device, nodes.size(), "nodes read back");
+  device::Buffer<std::uint32_t> pool(device, nodes.size() * format.words, "pool");
+  device::Kernel<std::uint32_t, Nodes, device::Buffer<std::uint32_t>, Nodes> kernel(
+      device, testProgram(device, text, {memory::nodeFormatDefine(format)}), "throughMemory");
+  kernel({"through memory", {nodes.size()}, {kGroup}}, std::uint32_t(nodes.size()), in, pool, out);
+  const std::vector<float2> back = out.download();
+  EXPECT_EQ(back[0].y, 1.0f);
+  EXPECT_EQ(back[1].y, 0.0f);
+  EXPECT_EQ(back[2].x, 65535.0f);
+  EXPECT_EQ(back[2].y, 1.0f);
+  for (std::size_t i = 3; i < nodes.size(); ++i) {
+    EXPECT_EQ(back[i].x, nodes[i].x) << i;
+    EXPECT_NEAR(back[i].y, nodes[i].y, format.valueError + 1e-7f) << i;
+  }
+}
+
+TEST(CompressionToStepsAlone, keepsSurfacesUprightAndBehindThemselves) {
+  const Function two{{2.25f, 2.25f, 0.75f, true}, {2.75f, 2.75f, 0.5f, true}, {4.0f, 4.0f, 0.25f, true}};
+  const Compressed nodes = compress({two}, 0.01f, "unorm16", {0.0f, 1.0f}).front();
+  const std::vector<float2> expected{{3.0f, 0.5f}, {4.0f, 0.5f}, {4.0f, 0.25f}};
+  ASSERT_EQ(nodes.size(), expected.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    EXPECT_EQ(nodes[i].x, expected[i].x) << i;
+    EXPECT_EQ(nodes[i].y, expected[i].y) << i;
+  }
+}
 
 TEST(CompressionAlone, ofAStraightLineIsTwoNodes) {
   Function line;

@@ -3,6 +3,7 @@
 // for; maps that are kept; bytes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "built_maps.hpp"
@@ -110,6 +111,28 @@ TEST_P(MemoryCase, hasTheSameNodesInEveryStrategy) {
   }
 }
 
+TEST_P(MemoryCase, hasTheSameNodesOf16BitsInEveryStrategy) {
+  const Case test = cases()[GetParam()];
+  Scene scene = test.scene;
+  scene.shadows.tolerance = std::max(scene.shadows.tolerance, 2e-5f);
+  Texels expected;
+  for (const Strategy& strategy : exactStrategies()) {
+    if (strategy.name.find("Passes") != std::string::npos) continue;
+    MapBuilder builder(strategy, "buffer", "unorm16");
+    builder.build({scene}, test.size);
+    const Texels texels = builder.read(0);
+    if (expected.empty()) expected = texels;
+    expectSame(texels, expected, strategy.name);
+    const MemoryStats stats = builder.memory().stats();
+    EXPECT_EQ(stats.bytesPerNode, 4.0) << strategy.name;
+    EXPECT_EQ(stats.bytesReserved, stats.bytesUsed + stats.bytesWasted) << strategy.name;
+  }
+  if (!canFetch("image") || !scene.volumes.empty()) return;  // images interpolate voxels in another way
+  MapBuilder builder(strategyNamed("exact"), "image", "unorm16");
+  builder.build({scene}, test.size);
+  expectSame(builder.read(0), expected, "through images");
+}
+
 TEST_P(MemoryCase, hasTheSameNodesThroughImages) {
   const Case test = cases()[GetParam()];
   if (!canFetch("image")) GTEST_SKIP() << "the device has no images";
@@ -157,6 +180,19 @@ TEST(Memory, ofKeptMapsStays) {
     expectSame(builder.read(0), second, strategy.name + ", second map built again");
     expectSame(builder.read(1), first, strategy.name + ", first map kept twice");
   }
+}
+
+TEST(Memory, ofKeptMapsKeepsTheDepthsOfTheirTiles) {
+  const Scene scene = uneven();
+  MapBuilder builder(strategyNamed("exact"), "buffer", "unorm16");
+  builder.build({lit(scene, 0.0f), lit(scene, 0.5f), lit(scene, 1.0f)}, 70);
+  const auto scales = [&](std::size_t map) { return builder.tileDepths(map); };
+  const auto first = scales(0), third = scales(2);
+  EXPECT_EQ(first.size(), 81u);
+  EXPECT_NE(first, third) << "the maps should differ";
+  builder.build({lit(scene, 1.0f), lit(scene, -0.4f), lit(scene, 0.0f)}, 70, {2, memory::kBuildAnew, 0});
+  EXPECT_EQ(scales(0), third);
+  EXPECT_EQ(scales(2), first);
 }
 
 TEST(Memory, growsOnceForTheMapsOfAnAnimation) {

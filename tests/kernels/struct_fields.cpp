@@ -96,7 +96,7 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
         F(firstShadowBlock) F(mediumCount) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin)
             F(originU) F(originV) F(dir) F(dirU) F(dirV) F(atlasOffset) F(width) F(height) F(firstTexel) F(firstNode)
-                F(nearDepth) F(face) F(wideTable) F(padding) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes)
+                F(nearDepth) F(face) F(wideTable) F(firstTile) CDSM_END CDSM_BEGIN(BuildCounters) F(chunks) F(maxNodes)
                     F(maxTileNodes) F(unfilledTiles) F(nodesLow) F(nodesHigh) F(roomLow) F(roomHigh) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)

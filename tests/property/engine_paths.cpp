@@ -37,7 +37,8 @@ const ::testing::Environment* const registered = ::testing::AddGlobalTestEnviron
 
 std::string Path::name() const {
   const std::string what = technique == "deep-shadow-map" ? "Map" + memory + filter : "Rays";
-  return what + fetch + (clusters > 1 ? "Clusters" + std::to_string(clusters) : "");
+  return what + (format == "float32" ? "" : format) + fetch +
+         (clusters > 1 ? "Clusters" + std::to_string(clusters) : "");
 }
 
 std::vector<Path> allPaths() {
@@ -47,6 +48,7 @@ std::vector<Path> allPaths() {
     for (const char* memory : {"atlas", "chunked", "exact", "tiled"}) {
       for (const char* filter : {"nearest", "bilinear"}) paths.push_back({"deep-shadow-map", memory, filter, fetch});
     }
+    paths.push_back({"deep-shadow-map", "exact", "bilinear", fetch, 1, "unorm16"});
   }
   return paths;
 }
@@ -64,6 +66,7 @@ bool canFetch(const std::string& fetch) { return fetch != "image" || engineOf("b
 Scene along(const Path& path, Scene scene, int mapSize, float tolerance) {
   scene.shadows.technique = path.technique;
   scene.shadows.memory = path.memory;
+  scene.shadows.nodeFormat = path.format;
   scene.shadows.filter = path.filter;
   scene.shadows.clusters = path.clusters;
   scene.shadows.mapSize = mapSize;

@@ -16,12 +16,13 @@ struct Path {
   std::string filter;
   std::string fetch;
   int clusters = 1;
+  std::string format = "float32";
   std::string name() const;  ///< letters and digits alone
 };
 
 /// Every combination that makes sense, without clusters: shadow rays have neither memory nor filter.
 std::vector<Path> allPaths();
-/// deep-shadow-map, bilinear, buffer, with that memory.
+/// deep-shadow-map, bilinear, buffer, with that memory, nodes of 8 bytes.
 Path mapPath(const std::string& memory = "chunked", const std::string& filter = "bilinear", int clusters = 1);
 Path rayPath();
 

@@ -26,8 +26,9 @@ std::vector<glm::vec3> somePoints(int count) {
 
 /// Known to the engines of this program from its start.
 const bool registered = [] {
-  technique::addMemoryStrategy("counted",
-                               [](auto&, auto& device) { return std::make_unique<strategies::Counted>(device); });
+  technique::addMemoryStrategy("counted", [](auto& settings, auto& device) {
+    return std::make_unique<strategies::Counted>(device, memory::nodeFormat(settings.nodeFormat));
+  });
   return true;
 }();
 

@@ -108,11 +108,12 @@ double largestError(const TexelRay& ray, const std::vector<Transmittance>& resul
   return largest;
 }
 
-class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float, LightType>> {};
+class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float, LightType, std::string>> {};
 
 TEST_P(Tolerance, boundsTheCompression) {
-  const auto [memory, tolerance, type] = GetParam();
-  const Path path = mapPath(memory, "nearest");
+  const auto [memory, tolerance, type, format] = GetParam();
+  Path path = mapPath(memory, "nearest");
+  path.format = format;
   const reference::World world(along(path, cloudyScene(type), kMapSize, tolerance));
   double largest = 0.0;
   for (int row = 14; row < kMapSize - 13; row += 5) {
@@ -125,17 +126,28 @@ TEST_P(Tolerance, boundsTheCompression) {
       largest = std::max(largest, error);
     }
   }
-  std::cout << memory << ", tolerance " << tolerance << ": largest error " << largest << "\n";
+  std::cout << memory << ", " << format << ", tolerance " << tolerance << ": largest error " << largest << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, Tolerance,
                          ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
                                             ::testing::Values(0.0f, 0.002f, 0.01f, 0.05f),
-                                            ::testing::Values(LightType::Spot)));
+                                            ::testing::Values(LightType::Spot), ::testing::Values("float32")));
+
+INSTANTIATE_TEST_SUITE_P(MapsOf16Bits, Tolerance,
+                         ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
+                                            ::testing::Values(2e-5f, 0.01f), ::testing::Values(LightType::Spot),
+                                            ::testing::Values("unorm16")));
 
 INSTANTIATE_TEST_SUITE_P(MapsOfOtherLights, Tolerance,
                          ::testing::Combine(::testing::Values("chunked"), ::testing::Values(0.0f, 0.01f),
-                                            ::testing::Values(LightType::Omni, LightType::Directional)));
+                                            ::testing::Values(LightType::Omni, LightType::Directional),
+                                            ::testing::Values("float32")));
+
+INSTANTIATE_TEST_SUITE_P(MapsOf16BitsOfOtherLights, Tolerance,
+                         ::testing::Combine(::testing::Values("exact"), ::testing::Values(0.01f),
+                                            ::testing::Values(LightType::Omni, LightType::Directional),
+                                            ::testing::Values("unorm16")));
 
 std::uint64_t nodesOf(float tolerance) {
   const Path path = mapPath();

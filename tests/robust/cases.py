@@ -133,6 +133,7 @@ GOOD_RUNS = [
           + ["--set", "volume.smoke.receives_shadow=false", "--set", "mesh.cup.cluster_weight=1000"], ("out.png",)),
     works("two nodes per texel", RENDER + ["--set", "shadows.memory=fixed", "--set", "shadows.max_nodes=2"],
           ("out.png", "stats.json")),
+    works("small nodes", RENDER + ["--set", "shadows.node_format=unorm16"], ("out.png", "stats.json")),
     works("a light inside a volume and a wide filter", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"]
           + ["--set", "shadows.technique=shadow-map", "--set", "shadows.pcf=16"], ("out.png",)),
     works("a query by opaque rays", QUERY + ["--set", "shadows.technique=shadow-rays", "--set", "shadows.rays=opaque"]
@@ -192,6 +193,13 @@ SCENES = [
     settings("too many nodes", "max_nodes is 257, must be in [2, 256] nodes", "shadows.max_nodes=257"),
     settings("part of a node", "max_nodes is", "shadows.max_nodes=2.5"),
     settings("nodes as a word", "max_nodes is a string", "shadows.max_nodes=many"),
+    settings("unknown format of nodes", "unknown node_format 'unorm8', did you mean 'unorm16'?",
+             "shadows.node_format=unorm8"),
+    settings("format of nodes as a number", "node_format is an integer", "shadows.node_format=16"),
+    settings("tolerance finer than 16 bits", "tolerance with node_format unorm16 is 1e-05, must be in [2e-05, 1)",
+             "shadows.tolerance=1e-5", "shadows.node_format=unorm16"),
+    settings("no tolerance with 16 bits", "node_format unorm16 is 0, must be in [2e-05, 1)", "shadows.tolerance=0",
+             "shadows.node_format=unorm16"),
     settings("too many clusters", "clusters is 65, must be in [1, 64]", "shadows.clusters=65"),
     settings("cluster distance of 0", "cluster_distance is 0, must be in (0, 2.83]", "shadows.cluster_distance=0"),
     settings("cluster distance with a NaN", "cluster_distance is nan", "shadows.cluster_distance=nan"),

@@ -9,7 +9,8 @@ namespace cdsm::strategies {
 
 class Counted : public memory::MemoryStrategy {
  public:
-  explicit Counted(device::Device& device) : device_(device), scan_(device), store_(device) {}
+  Counted(device::Device& device, const memory::NodeFormat& format)
+      : MemoryStrategy(device, format), device_(device), scan_(device), store_(device, format) {}
 
   const char* kernelFile() const override { return CDSM_TEST_DATA "/../strategies/counted.clh"; }
   void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) override;

@@ -20,7 +20,7 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   shadows.pcf = 2;
   const auto settings = nlohmann::json::parse(statsJson({}, shadows, {})).at("settings");
   EXPECT_EQ(settings.at("technique"), "deep-shadow-map");
-  EXPECT_EQ(settings.at("memory"), "chunked");
+  EXPECT_EQ(settings.at("memory"), "exact");
   EXPECT_EQ(settings.at("node_format"), "float32");
   EXPECT_EQ(settings.at("map_size"), 64);
   EXPECT_EQ(settings.at("tolerance"), 0.01) << "the digits of the scene file, not of its float";

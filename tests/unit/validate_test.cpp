@@ -118,6 +118,12 @@ TEST(Validate, CameraAndImage) {
 TEST(Validate, ShadowsAndLights) {
   expectComplaints({
       {"map_size is 7, must be in [8, 16384]", [](Scene& s) { s.shadows.mapSize = 7; }},
+      {"unorm16 is 1e-05, must be in [2e-05, 1)",
+       [](Scene& s) {
+         s.shadows.nodeFormat = "unorm16";
+         s.shadows.tolerance = 1e-5f;
+       }},
+      {"node_format is 'half'", [](Scene& s) { s.shadows.nodeFormat = "half"; }},
       {"tolerance is 1, must be in [0, 1)", [](Scene& s) { s.shadows.tolerance = 1.0f; }},
       {"clusters is 0, must be in [1, 64]", [](Scene& s) { s.shadows.clusters = 0; }},
       {"clusters is 65", [](Scene& s) { s.shadows.clusters = 65; }},

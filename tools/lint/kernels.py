@@ -4,7 +4,7 @@
 
 Joins includes as host/src/device/kernel_source.cpp does and generates the volume slots as
 host/src/build/volume_slots.cpp does. A file is compiled for each value of what its text mentions: technique, memory
-strategy, voxel type, batch size, buffers or images, volumes of a scene. Prints the warnings; exit status 1 if any."""
+strategy, format of nodes, voxel type, batch size, buffers or images, volumes of a scene. Prints the warnings; exit status 1 if any."""
 import concurrent.futures
 import itertools
 import os
@@ -40,6 +40,7 @@ CHOICES = {
     "CDSM_CACHE": files_with("cache", "#define CDSM_LIGHT_PARAMS"),
     "CDSM_MARCH": files_with("build", "void beginMarch("),
     "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
+    "CDSM_NODE_FORMAT": files_with("memory", "storeNode(__global"),
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
     "CDSM_BATCH": ["4", "8"],
     "CDSM_TILE_CHUNKS": ["120"],
@@ -94,7 +95,8 @@ def variants(entry, chosen=None):
         text += (KERNELS / path).read_text()
     wanted = [name for name in CHOICES
               if name not in chosen and (name in seen or re.search(rf"\b{re.escape(name)}\b(?!\.)", text))]
-    includes = [name for name in wanted if name in ("CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY")]
+    includes = [name for name in wanted if name in
+                ("CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY", "CDSM_NODE_FORMAT")]
     if not wanted:
         yield chosen
         return

@@ -33,7 +33,7 @@ struct ImageSettings {
 /// (host/src/technique/registry.cpp) is the list of what exists.
 struct ShadowSettings {
   std::string technique = "deep-shadow-map";
-  std::string memory = "chunked";
+  std::string memory = "exact";
   int maxNodes = 16;                      ///< memory "fixed": nodes per texel, in [2, 256]
   std::string nodeFormat = "float32";     ///< float32 | unorm16: how a node of a deep shadow map is stored
   int mapSize = 512;                      ///< texels per side

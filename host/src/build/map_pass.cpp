@@ -24,11 +24,11 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
     kept.push_back(job.kept);
   }
   memory.reserve(maps, kept);
-  BuildKernel buildVisibility(device_,
-                              sceneProgram(device_, scene, "build/build_map.cl",
-                                           {{"CDSM_MARCH", marchFile(accuracy)},
-                                            {"CDSM_MEMORY", '"' + std::string(memory.kernelFile()) + '"'}}),
-                              "buildVisibility");
+  memory.tileDepths().reserve(maps, kept);
+  Defines parts = memoryDefines(memory);
+  parts.emplace_back("CDSM_MARCH", marchFile(accuracy));
+  BuildKernel buildVisibility(device_, sceneProgram(device_, scene, "build/build_map.cl", parts), "buildVisibility");
+  const float tolerance = memory.format().compressionTolerance(accuracy.tolerance);
   const ExtinctionCurves curves(device_, accuracy.everywhere ? scene.curves() : std::vector<ExtinctionCurve>());
   const device::ArgumentList marchArguments = accuracy.everywhere ? curves.arguments() : device::ArgumentList();
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -40,12 +40,12 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
       Layers& layers = raster.run(scene, casters, jobs[i].view, report);
       device_.profiler().beginGroup("build maps");
       const auto mapBuffer = device::Buffer<shared::MapData>::fromHost(device_, maps, "maps");
-      const shared::BuildParams params{layers.view, accuracy.tolerance, casters.interiorStep, shared::uint(i), 0};
+      const shared::BuildParams params{layers.view, tolerance, casters.interiorStep, shared::uint(i), 0};
       memory.beginMap();
       const std::size_t pixels = std::size_t(layers.view.tilesX) * layers.view.tilesY * CDSM_TILE_PIXELS;
       buildVisibility({"build visibility functions", {pixels}, {CDSM_TILE_PIXELS}}, params, layers.fragments,
                       layers.ranges, mapBuffer, memory.params(), memory.writeArguments(),
-                      scene.arguments(casters, layers.initialObjects), marchArguments);
+                      scene.arguments(casters, layers.initialObjects), marchArguments, memory.tileDepths().arguments());
       std::string why;
       complete = memory.finishMap(i, maps, why);
       if (!complete) report(why);

@@ -13,7 +13,7 @@ namespace cdsm::build {
 
 /// What |V' - V| <= tolerance is to mean.
 struct MapAccuracy {
-  float tolerance;  ///< epsilon of the compression, in opacity
+  float tolerance;  ///< epsilon of the maps, the errors of what is stored included, in opacity
   bool everywhere;  ///< at every depth, of the exact integral; false: at the samples of the ray
 };
 
@@ -37,7 +37,7 @@ class MapPass {
  private:
   using BuildKernel = device::Kernel<shared::BuildParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
                                      device::Buffer<shared::MapData>, shared::MemoryParams, device::ArgumentList,
-                                     device::ArgumentList, device::ArgumentList>;
+                                     device::ArgumentList, device::ArgumentList, device::ArgumentList>;
 
   device::Device& device_;
 };

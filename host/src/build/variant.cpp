@@ -5,6 +5,10 @@
 
 namespace cdsm::build {
 
+Defines memoryDefines(const memory::MemoryStrategy& memory) {
+  return {{"CDSM_MEMORY", '"' + std::string(memory.kernelFile()) + '"'}, memory::nodeFormatDefine(memory.format())};
+}
+
 const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,
                                 Defines parts) {
   // CPUs want vectors as wide as their registers, GPUs few registers per work item

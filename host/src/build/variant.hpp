@@ -7,14 +7,18 @@
 
 #include "build/device_scene.hpp"
 #include "device/program.hpp"
+#include "memory/memory_strategy.hpp"
 
 namespace cdsm::build {
 
 /// Defines of a ProgramSource: NAME, value; a value in quotes is a kernel file to include.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
+/// CDSM_MEMORY and CDSM_NODE_FORMAT of maps in a strategy.
+Defines memoryDefines(const memory::MemoryStrategy& memory);
+
 /// A kernel file of the scene's variant: the types of its volumes, how the device fetches, how wide its batches are.
-/// `parts`: CDSM_MEMORY, CDSM_TECHNIQUE.
+/// `parts`: memoryDefines(), CDSM_TECHNIQUE, CDSM_MARCH.
 const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,
                                 Defines parts);
 

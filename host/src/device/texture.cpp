@@ -10,7 +10,7 @@
 namespace cdsm::device {
 namespace {
 
-constexpr std::size_t kNodeTexelBytes = 4 * sizeof(float);  // CL_RGBA, CL_FLOAT
+constexpr std::size_t kNodeTexelBytes = 16;
 
 std::size_t channelBytes(cl_channel_type type) {
   switch (type) {
@@ -89,7 +89,7 @@ std::array<std::size_t, 2> NodeTexture::maxSize(const Device& device) {
   });
 }
 
-NodeTexture::NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name)
+NodeTexture::NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name, PixelType type)
     : device_(&device), name_(name), width_(width), height_(height) {
   const std::string what = "texture '" + name + "'";
   const auto most = maxSize(device);
@@ -98,10 +98,10 @@ NodeTexture::NodeTexture(Device& device, std::size_t width, std::size_t height, 
                       " texels asked for, but the device's 2D images have 1 x 1 to " + std::to_string(most[0]) + " x " +
                       std::to_string(most[1]));
   }
-  const cl::ImageFormat format(CL_RGBA, CL_FLOAT);
+  const cl::ImageFormat format(CL_RGBA, type == PixelType::Floats ? CL_FLOAT : CL_UNSIGNED_INT32);
   guarded(what, [&] {
     if (!supportsFormat(device, CL_MEM_OBJECT_IMAGE2D, format)) {
-      throw DeviceError(what + ": the device has no 2D images of four floats");
+      throw DeviceError(what + ": the device has no 2D images of four channels of 32 bits");
     }
     claim_ = MemoryClaim(device.account(), width * height * kNodeTexelBytes, what);
     image_ = cl::Image2D(device.context(), CL_MEM_READ_ONLY, format, width, height);

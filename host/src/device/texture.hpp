@@ -37,12 +37,16 @@ class VolumeTexture {
   Size size_{0, 0, 0};
 };
 
-/// A read-only image2d_t of CL_RGBA, CL_FLOAT (16 bytes a texel), filled on the device. Move-only.
+/// What the 16 bytes of a pixel are: four floats, or four unsigned words of 32 bits.
+enum class PixelType { Floats, Words };
+
+/// A read-only image2d_t of CL_RGBA, 16 bytes a texel, filled on the device. Move-only.
 class NodeTexture {
  public:
   NodeTexture() = default;
   /// Throws DeviceError when format or size is not supported.
-  NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name);
+  NodeTexture(Device& device, std::size_t width, std::size_t height, const std::string& name,
+              PixelType type = PixelType::Floats);
 
   /// The largest {width, height} of a 2D image on the device, in texels; {0, 0} without images.
   static std::array<std::size_t, 2> maxSize(const Device& device);

@@ -14,7 +14,7 @@ namespace {
 
 const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map"}, {"stochastic", "implicit-sphere"}};
 const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
-const Choices kNodeFormats{{"float32"}, {"unorm16"}};
+const Choices kNodeFormats{{"float32", "unorm16"}, {}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
 const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};

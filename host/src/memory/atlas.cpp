@@ -15,7 +15,8 @@ constexpr int kMostTexels = 2048;  ///< t_max, along x and y [Knecht 2011, eq. 4
 
 }  // namespace
 
-Atlas::Atlas(device::Device& device) : device_(device), layers_(kFirstLayers), counters_(device, 1, "build counters") {}
+Atlas::Atlas(device::Device& device, const NodeFormat& format)
+    : MemoryStrategy(device, format), device_(device), layers_(kFirstLayers), counters_(device, 1, "build counters") {}
 
 void Atlas::arrange(std::vector<shared::MapData>& maps) {
   const int count = std::max(1, int(maps.size())), columns = std::max(1, kMostTexels / side_);
@@ -33,12 +34,12 @@ void Atlas::arrange(std::vector<shared::MapData>& maps) {
 }
 
 void Atlas::moveNodes(const std::vector<Place>& before, const std::vector<int>& from, const shared::int4& sizeBefore) {
-  const std::size_t nodes = poolSize(device_, std::size_t(size_.x) * size_.y * size_.w);
+  const std::size_t nodes = poolSize(device_, format(), std::size_t(size_.x) * size_.y * size_.w);
   if (nodes > 0xffffffffu)
     throw DeviceError("the atlas needs " + std::to_string(nodes) +
                       " nodes, more than 2^32; take smaller maps, a larger tolerance or another memory strategy");
-  const std::size_t texels = std::size_t(side_) * side_;
-  bool inPlace = nodes_.size() == nodes && counts_.size() == texels * placed_.size();
+  const std::size_t texels = std::size_t(side_) * side_, pair = 2 * format().words;  // in values of the buffer
+  bool inPlace = nodes_.size() == nodes * format().words && counts_.size() == texels * placed_.size();
   bool none = true;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from[i] == kBuildAnew) continue;
@@ -51,17 +52,17 @@ void Atlas::moveNodes(const std::vector<Place>& before, const std::vector<int>& 
     nodes_ = {};
     counts_ = {};
   }
-  NodeBuffer moved(device_, nodes, "atlas of nodes");
+  NodeBuffer moved(device_, nodes * format().words, "atlas of nodes");
   device::Buffer<std::uint32_t> counts(device_, texels * placed_.size(), "nodes per texel");
   const std::size_t layers = std::size_t(std::min(sizeBefore.z, size_.z)) / 2;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from[i] == kBuildAnew) continue;
-    const auto placeIn = [](const shared::int4& size, const shared::int4& offset) {
-      return device::GridPlace{2 * std::size_t(offset.x), std::size_t(offset.y), std::size_t(offset.z) / 2,
-                               2 * std::size_t(size.x), std::size_t(size.y)};
+    const auto placeIn = [&](const shared::int4& size, const shared::int4& offset) {
+      return device::GridPlace{pair * std::size_t(offset.x), std::size_t(offset.y), std::size_t(offset.z) / 2,
+                               pair * std::size_t(size.x), std::size_t(size.y)};
     };
     device::copyBox(device_, nodes_, placeIn(sizeBefore, before[from[i]].offset), moved,
-                    placeIn(size_, placed_[i].offset), {2 * std::size_t(side_), std::size_t(side_), layers});
+                    placeIn(size_, placed_[i].offset), {pair * std::size_t(side_), std::size_t(side_), layers});
     device::copyElements(device_, counts_, std::size_t(from[i]) * texels, texels, counts, i * texels);
   }
   nodes_ = std::move(moved);
@@ -105,7 +106,7 @@ bool Atlas::finishMap(std::size_t index, std::vector<shared::MapData>& maps, std
   return true;
 }
 
-void Atlas::finish() { readable_.finish(device_, nodes_); }
+void Atlas::finish() { readable_.finish(device_, format(), nodes_); }
 
 shared::MemoryParams Atlas::params() const {
   shared::MemoryParams params{};
@@ -122,9 +123,9 @@ MemoryStats Atlas::stats() const {
   stats.strategy = "atlas";
   stats.bytesReserved = nodes_.bytes() + counts_.bytes();
   stats.bytesUsed = counts_.bytes();
-  for (const Place& map : placed_) stats.bytesUsed += map.nodes.total * sizeof(StoredNode);
+  for (const Place& map : placed_) stats.bytesUsed += map.nodes.total * format().bytes();
   stats.bytesWasted = stats.bytesReserved - stats.bytesUsed;
-  stats.bytesPerNode = sizeof(StoredNode);
+  stats.bytesPerNode = double(format().bytes());
   return stats;
 }
 

@@ -10,7 +10,7 @@ namespace cdsm::memory {
 /// Layers are added when a texel needs more than there are: then the maps move to a taller grid.
 class Atlas : public MemoryStrategy {
  public:
-  explicit Atlas(device::Device& device);
+  Atlas(device::Device& device, const NodeFormat& format);
 
   const char* kernelFile() const override { return "memory/atlas.clh"; }
   void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) override;

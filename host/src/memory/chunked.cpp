@@ -9,12 +9,14 @@
 
 namespace cdsm::memory {
 
-Chunked::Chunked(device::Device& device)
-    : device_(device),
+Chunked::Chunked(device::Device& device, const NodeFormat& format)
+    : MemoryStrategy(device, format),
+      device_(device),
       scan_(device),
-      store_(device),
+      store_(device, format),
       counters_(device, 1, "build counters"),
-      gatherNodes_(device, device.programs().get({"memory/gather_nodes.cl", {}, {}}), "gatherNodes") {}
+      gatherNodes_(device, device.programs().get({"memory/gather_nodes.cl", {nodeFormatDefine(format)}, {}}),
+                   "gatherNodes") {}
 
 void Chunked::reserveChunks(std::size_t chunks) {
   if (chunks <= chunkNext_.size()) return;

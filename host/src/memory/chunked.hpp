@@ -10,7 +10,7 @@ namespace cdsm::memory {
 /// Chunks are scratch memory of one map at a time; the finished maps hold exactly their nodes and the lookup table.
 class Chunked : public MemoryStrategy {
  public:
-  explicit Chunked(device::Device& device);
+  Chunked(device::Device& device, const NodeFormat& format);
 
   const char* kernelFile() const override { return "memory/chunked.clh"; }
   void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) override;

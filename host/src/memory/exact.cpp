@@ -6,8 +6,8 @@
 
 namespace cdsm::memory {
 
-Exact::Exact(device::Device& device, Mode mode)
-    : TileStrategy(device, CDSM_EXACT_WORDS, mode),
+Exact::Exact(device::Device& device, const NodeFormat& format, Mode mode)
+    : TileStrategy(device, format, CDSM_EXACT_WORDS, mode),
       narrowTable_(device, device.programs().get({"memory/exact_table.cl", {}, {}}), "narrowTable") {}
 
 void Exact::addMap(std::size_t index, shared::MapData& map, std::size_t stored, const shared::BuildCounters& counters) {

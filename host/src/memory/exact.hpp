@@ -8,7 +8,7 @@ namespace cdsm::memory {
 
 class Exact : public TileStrategy {
  public:
-  explicit Exact(device::Device& device, Mode mode = Mode::Fill);
+  Exact(device::Device& device, const NodeFormat& format, Mode mode = Mode::Fill);
 
   const char* kernelFile() const override { return "memory/exact.clh"; }
   MemoryStats stats() const override { return store_.stats("exact"); }

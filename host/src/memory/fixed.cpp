@@ -6,8 +6,11 @@
 
 namespace cdsm::memory {
 
-Fixed::Fixed(device::Device& device, int nodesPerTexel)
-    : device_(device), store_(device), nodesPerTexel_(std::size_t(nodesPerTexel)) {}
+Fixed::Fixed(device::Device& device, const NodeFormat& format, int nodesPerTexel)
+    : MemoryStrategy(device, format),
+      device_(device),
+      store_(device, format),
+      nodesPerTexel_(std::size_t(nodesPerTexel)) {}
 
 void Fixed::reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) {
   store_.reserve(maps, kept);

@@ -10,7 +10,7 @@ namespace cdsm::memory {
 class Fixed : public MemoryStrategy {
  public:
   /// `nodesPerTexel`: at least 2.
-  Fixed(device::Device& device, int nodesPerTexel);
+  Fixed(device::Device& device, const NodeFormat& format, int nodesPerTexel);
 
   const char* kernelFile() const override { return "memory/fixed.clh"; }
   void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) override;

@@ -5,14 +5,12 @@
 
 namespace cdsm::memory {
 
-namespace {
-
-std::size_t sizeOfTable(const device::Device&, std::size_t words) { return words; }
-
-}  // namespace
-
-MapStore::MapStore(device::Device& device)
-    : device_(device), pool_(device, "pool of nodes", poolSizeOfRuns), table_(device, "lookup table", sizeOfTable) {}
+MapStore::MapStore(device::Device& device, const NodeFormat& format)
+    : device_(device),
+      format_(format),
+      pool_(device, "pool of nodes", format.words,
+            [&](std::size_t nodes) { return poolSizeOfRuns(device, format, nodes); }),
+      table_(device, "lookup table") {}
 
 void MapStore::reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) {
   const std::vector<Place> before = std::exchange(placed_, std::vector<Place>(maps.size()));
@@ -42,7 +40,7 @@ void MapStore::add(std::size_t index, shared::MapData& map, std::size_t stored, 
 void MapStore::finish() {
   pool_.trim();
   table_.trim();
-  readable_.finish(device_, pool_.buffer());
+  readable_.finish(device_, format_, pool_.buffer());
 }
 
 MemoryStats MapStore::stats(const char* strategy) const {
@@ -51,9 +49,9 @@ MemoryStats MapStore::stats(const char* strategy) const {
   MemoryStats stats;
   stats.strategy = strategy;
   stats.bytesReserved = pool_.bytes() + table_.bytes();
-  stats.bytesUsed = (nodes + kGuardNodes) * sizeof(StoredNode) + table_.bytesUsed();
+  stats.bytesUsed = (nodes + kGuardNodes) * format_.bytes() + table_.bytesUsed();
   stats.bytesWasted = stats.bytesReserved - stats.bytesUsed;
-  stats.bytesPerNode = sizeof(StoredNode);
+  stats.bytesPerNode = double(format_.bytes());
   return stats;
 }
 

@@ -12,7 +12,7 @@ namespace cdsm::memory {
 
 class MapStore {
  public:
-  explicit MapStore(device::Device& device);
+  MapStore(device::Device& device, const NodeFormat& format);
 
   /// Forgets all maps but the kept ones (as MemoryStrategy::reserve) and says in `maps` where these are.
   void reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept);
@@ -47,8 +47,9 @@ class MapStore {
   };
 
   device::Device& device_;
+  const NodeFormat& format_;
   std::vector<Place> placed_;
-  RunBuffer<StoredNode> pool_;
+  RunBuffer<std::uint32_t> pool_;
   RunBuffer<std::uint32_t> table_;
   ReadablePool readable_;
 };

@@ -12,6 +12,8 @@
 
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
+#include "memory/node_format.hpp"
+#include "memory/tile_depths.hpp"
 #include "shared/map_data.h"
 
 namespace cdsm::memory {
@@ -22,13 +24,11 @@ struct NodeCounts {
   std::uint64_t most = 0;  ///< of a texel
 };
 
-/// In place of the number of a map that is taken over.
-constexpr int kBuildAnew = -1;
-
 /// The nodes of all maps. Use: reserve() once for all maps; then for each map that is not taken over beginMap(), the
 /// build kernel with writeArguments(), finishMap(); finish() after the last one; then readArguments().
 class MemoryStrategy {
  public:
+  MemoryStrategy(device::Device& device, const NodeFormat& format) : format_(format), tileDepths_(device, format) {}
   virtual ~MemoryStrategy() = default;
 
   /// Path of the kernel file.
@@ -51,6 +51,15 @@ class MemoryStrategy {
 
   virtual NodeCounts nodeCounts(std::size_t index) const = 0;
   virtual MemoryStats stats() const = 0;
+
+  const NodeFormat& format() const { return format_; }
+  /// Not a strategy's business: who builds maps reserves them, stats() are without them.
+  TileDepths& tileDepths() { return tileDepths_; }
+  const TileDepths& tileDepths() const { return tileDepths_; }
+
+ private:
+  const NodeFormat& format_;
+  TileDepths tileDepths_;
 };
 
 }  // namespace cdsm::memory

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,25 +19,28 @@ struct Run {
   std::size_t first = 0, count = 0;
 };
 
+/// An element is `values` values of type T.
 template <class T>
 class RunBuffer {
  public:
   /// Elements that must be allocated so that so many can be used.
-  using SizeOf = std::size_t (*)(const device::Device& device, std::size_t used);
+  using SizeOf = std::function<std::size_t(std::size_t used)>;
 
-  RunBuffer(device::Device& device, std::string name, SizeOf sizeOf)
-      : device_(device), name_(std::move(name)), sizeOf_(sizeOf) {}
+  RunBuffer(
+      device::Device& device, std::string name, std::size_t values = 1,
+      SizeOf sizeOf = [](std::size_t used) { return used; })
+      : device_(device), name_(std::move(name)), values_(values), sizeOf_(std::move(sizeOf)) {}
 
-  /// Keeps these runs alone, side by side; says in each where it is now.
-  void keep(const std::vector<Run*>& runs) {
+  /// Keeps these runs alone, side by side; says in each where it is now. Makes room for `more` elements behind them.
+  void keep(const std::vector<Run*>& runs, std::size_t more = 0) {
     std::size_t kept = 0;
     for (const Run* run : runs) kept += run->count;
     device::Buffer<T> before = std::move(buffer_);
     if (kept == 0) before = {};
     used_ = 0;
-    buffer_ = allocate(kept);
+    buffer_ = allocate(kept + more);
     for (Run* run : runs) {
-      device::copyElements(device_, before, run->first, run->count, buffer_, used_);
+      copy(before, run->first, run->count, buffer_, used_);
       run->first = used_;
       used_ += run->count;
     }
@@ -45,9 +49,9 @@ class RunBuffer {
   /// Room for a run of `count` elements, of which the first `written` are there already. Behind other runs there will
   /// be more of them: then it grows by half at least, so that not every run moves all others.
   void makeRoom(std::size_t count, std::size_t written = 0) {
-    if (room() >= count && sizeOf_(device_, used_ + count) <= buffer_.size()) return;
+    if (room() >= count && sizeOf_(used_ + count) <= size()) return;
     device::Buffer<T> larger = allocate(used_ + std::max(count, used_ / 2));
-    device::copyElements(device_, buffer_, 0, used_ + std::min(written, count), larger, 0);
+    copy(buffer_, 0, used_ + std::min(written, count), larger, 0);
     buffer_ = std::move(larger);
   }
 
@@ -60,31 +64,39 @@ class RunBuffer {
 
   /// Gives back what is behind the last run.
   void trim() {
-    if (sizeOf_(device_, used_) == buffer_.size()) return;
+    if (sizeOf_(used_) == size()) return;
     device::Buffer<T> exact = allocate(used_);
-    device::copyElements(device_, buffer_, 0, used_, exact, 0);
+    copy(buffer_, 0, used_, exact, 0);
     buffer_ = std::move(exact);
   }
 
   std::size_t used() const { return used_; }
   /// Elements behind the last run.
-  std::size_t room() const { return buffer_.size() > used_ ? buffer_.size() - used_ : 0; }
+  std::size_t room() const { return size() > used_ ? size() - used_ : 0; }
   std::size_t bytes() const { return buffer_.bytes(); }
-  std::size_t bytesUsed() const { return used_ * sizeof(T); }
+  std::size_t bytesUsed() const { return used_ * values_ * sizeof(T); }
   device::Buffer<T>& buffer() { return buffer_; }
   const device::Buffer<T>& buffer() const { return buffer_; }
 
  private:
+  std::size_t size() const { return buffer_.size() / values_; }
+
+  void copy(const device::Buffer<T>& from, std::size_t first, std::size_t count, device::Buffer<T>& to,
+            std::size_t offset) {
+    device::copyElements(device_, from, first * values_, count * values_, to, offset * values_);
+  }
+
   device::Buffer<T> allocate(std::size_t used) const {
-    const std::size_t size = sizeOf_(device_, used);
+    const std::size_t size = sizeOf_(used);
     if (size > 0xffffffffu)
       throw DeviceError("'" + name_ + "' needs " + std::to_string(size) +
                         " elements, more than 2^32; take smaller maps, fewer lights or a larger tolerance");
-    return device::Buffer<T>(device_, size, name_);
+    return device::Buffer<T>(device_, size * values_, name_);
   }
 
   device::Device& device_;
   std::string name_;
+  std::size_t values_;
   SizeOf sizeOf_;
   std::size_t used_ = 0;
   device::Buffer<T> buffer_;

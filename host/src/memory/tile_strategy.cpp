@@ -25,13 +25,13 @@ int tileChunks(const device::Device& device) {
   return int(std::clamp<std::size_t>(bytes / kChunkBytes, 128, 1024));
 }
 
-TileStrategy::TileStrategy(device::Device& device, std::size_t recordWords, Mode mode)
-    : device_(device), store_(device), recordWords_(recordWords), mode_(mode), counters_(device, 1, "build counters") {}
-
-std::size_t TileStrategy::tilesOf(const shared::MapData& map) {
-  const auto across = [](int texels) { return std::size_t(texels + CDSM_TILE - 1) / CDSM_TILE; };
-  return across(map.width) * across(map.height);
-}
+TileStrategy::TileStrategy(device::Device& device, const NodeFormat& format, std::size_t recordWords, Mode mode)
+    : MemoryStrategy(device, format),
+      device_(device),
+      store_(device, format),
+      recordWords_(recordWords),
+      mode_(mode),
+      counters_(device, 1, "build counters") {}
 
 void TileStrategy::reserve(std::vector<shared::MapData>& maps, const std::vector<int>& kept) {
   store_.reserve(maps, kept);
@@ -47,7 +47,7 @@ void TileStrategy::beginMap() {
   counters_.fill({});
   if (mode_ == Mode::Count) return;
   // at first a part of what the device allows, so that a map that is almost empty is not refused for it
-  const std::size_t most = std::size_t(device_.maxAllocationBytes()) / 4 / sizeof(StoredNode);
+  const std::size_t most = std::size_t(device_.maxAllocationBytes()) / 4 / format().bytes();
   store_.makeRoom(std::max(tileRoom_ * mostTiles_, std::min(kFirstTileRoom * mostTiles_, most)));
 }
 

@@ -30,15 +30,13 @@ class TileStrategy : public MemoryStrategy {
   using Uints = device::Buffer<std::uint32_t>;
 
   /// `recordWords`: CDSM_RECORD_WORDS.
-  TileStrategy(device::Device& device, std::size_t recordWords, Mode mode);
+  TileStrategy(device::Device& device, const NodeFormat& format, std::size_t recordWords, Mode mode);
 
   /// The finished map in `store_`: its table made of that of the build, records_.
   virtual void addMap(std::size_t index, shared::MapData& map, std::size_t stored,
                       const shared::BuildCounters& counters) = 0;
   /// Mode::Count: moves a tile's record to where its nodes start; returns the room that the tile needs.
   virtual std::uint32_t moveRecord(std::uint32_t* record, std::uint32_t first) const = 0;
-
-  static std::size_t tilesOf(const shared::MapData& map);
 
   device::Device& device_;
   MapStore store_;

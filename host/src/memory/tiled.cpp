@@ -12,7 +12,8 @@ constexpr std::size_t kPageWords = 2;  ///< place of the first block, layers
 
 }  // namespace
 
-Tiled::Tiled(device::Device& device, Mode mode) : TileStrategy(device, kPageWords, mode) {}
+Tiled::Tiled(device::Device& device, const NodeFormat& format, Mode mode)
+    : TileStrategy(device, format, kPageWords, mode) {}
 
 void Tiled::addMap(std::size_t index, shared::MapData& map, std::size_t stored, const shared::BuildCounters& counters) {
   const std::size_t words = tilesOf(map) * kPageWords;

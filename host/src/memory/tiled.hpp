@@ -9,7 +9,7 @@ namespace cdsm::memory {
 
 class Tiled : public TileStrategy {
  public:
-  explicit Tiled(device::Device& device, Mode mode = Mode::Fill);
+  Tiled(device::Device& device, const NodeFormat& format, Mode mode = Mode::Fill);
 
   const char* kernelFile() const override { return "memory/tiled.clh"; }
   MemoryStats stats() const override { return store_.stats("tiled"); }

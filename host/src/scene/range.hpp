@@ -37,6 +37,8 @@ inline constexpr Range kSupersampling{1, 8};
 inline constexpr Range kTolerance{0.0, 1.0, false, true};
 /// With tolerance mode "everywhere": single precision could not keep less.
 inline constexpr Range kToleranceEverywhere{0.001, 1.0, false, true};
+/// With node format "unorm16": transmittances are stored to 1 / 65535, and what is left must be worth compressing to.
+inline constexpr Range kToleranceUnorm16{double(2e-5f), 1.0, false, true};
 /// Nothing is more opaque than 1.
 inline constexpr Range kThreshold{0.0, 1.0, false, true};
 inline constexpr Range kPcf{0, 16, false, false, "texels"};

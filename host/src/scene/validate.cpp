@@ -105,6 +105,8 @@ void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.tolerance, kTolerance, "shadows tolerance");
   if (shadows.toleranceMode == "everywhere")
     requireRange(shadows.tolerance, kToleranceEverywhere, "shadows tolerance with tolerance_mode everywhere");
+  if (shadows.nodeFormat == "unorm16")
+    requireRange(shadows.tolerance, kToleranceUnorm16, "shadows tolerance with node_format unorm16");
   requireRange(shadows.memoryLimitMb, kNotNegative, "shadows memory_limit_mb");
   requireRange(shadows.threshold, kThreshold, "shadows threshold");
   requireRange(shadows.pcf, kPcf, "shadows pcf");
@@ -115,6 +117,7 @@ void validateShadows(const ShadowSettings& shadows) {
   requireEither(shadows.filter, "bilinear", "nearest", "shadows filter");
   requireEither(shadows.rays, "exact", "opaque", "shadows rays");
   requireEither(shadows.toleranceMode, "samples", "everywhere", "shadows tolerance_mode");
+  requireEither(shadows.nodeFormat, "float32", "unorm16", "shadows node_format");
   requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
   requireEither(shadows.cache, "none", "volume", "shadows cache");
 }

@@ -13,8 +13,9 @@ DeepShadowMap::DeepShadowMap(device::Device& device, MakeMemory makeMemory)
     : MapTechnique(device), makeMemory_(std::move(makeMemory)), memory_(makeMemory_()), pass_(device) {}
 
 build::Defines DeepShadowMap::kernelFiles() const {
-  return {{"CDSM_TECHNIQUE", "\"technique/deep_shadow_map.clh\""},
-          {"CDSM_MEMORY", '"' + std::string(memory_->kernelFile()) + '"'}};
+  build::Defines defines = build::memoryDefines(*memory_);
+  defines.emplace_back("CDSM_TECHNIQUE", "\"technique/deep_shadow_map.clh\"");
+  return defines;
 }
 
 std::vector<shared::MapData> DeepShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
@@ -31,11 +32,11 @@ std::vector<shared::MapData> DeepShadowMap::buildMaps(const Preparation& to, con
     // only what would fit without the frames before, too, may rest on them
     if (std::exchange(first, false) && (tolerance == builtTolerance_ || fresh)) {
       built = buildMapsAt(tolerance, to, jobs);
-      const std::uint64_t bytes = memory_->stats().bytesReserved;
+      const std::uint64_t bytes = memoryStats().bytesReserved;
       if (fresh || budget.fits(bytes)) return bytes;
     }
     built = buildAllAt(tolerance, to, jobs);
-    return memory_->stats().bytesReserved;
+    return memoryStats().bytesReserved;
   });
   for (MapCluster& cluster : clusters)
     if (cluster.reason.empty() && (before != wanted || builtTolerance_ != wanted)) cluster.reason = "tolerance";
@@ -68,9 +69,16 @@ shared::TechniqueParams DeepShadowMap::params(const Scene& scene) const {
 
 device::ArgumentList DeepShadowMap::arguments() const {
   device::ArgumentList list{maps().cl()};
-  const device::ArgumentList nodes = memory_->readArguments();
-  list.insert(list.end(), nodes.begin(), nodes.end());
+  for (const device::ArgumentList& part : {memory_->readArguments(), memory_->tileDepths().arguments()})
+    list.insert(list.end(), part.begin(), part.end());
   return list;
+}
+
+MemoryStats DeepShadowMap::memoryStats() const {
+  MemoryStats stats = memory_->stats();
+  stats.bytesReserved += memory_->tileDepths().bytes();
+  stats.bytesUsed += memory_->tileDepths().bytes();
+  return stats;
 }
 
 std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t light) const {

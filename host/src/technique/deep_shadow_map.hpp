@@ -26,7 +26,7 @@ class DeepShadowMap : public MapTechnique {
   std::vector<shared::MapData> buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
                                          std::vector<MapCluster>& clusters) override;
   memory::NodeCounts nodeCounts(std::size_t map) const override { return memory_->nodeCounts(map); }
-  MemoryStats memoryStats() const override { return memory_->stats(); }
+  MemoryStats memoryStats() const override;
 
   /// The maps, of which those that are not kept are built at a tolerance.
   std::vector<shared::MapData> buildMapsAt(float tolerance, const Preparation& to,

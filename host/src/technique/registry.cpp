@@ -21,14 +21,24 @@ struct Entry {
   Factory<Made> make;
 };
 
+/// A strategy that needs nothing but the device and a format of nodes.
+template <class Made>
+Factory<memory::MemoryStrategy> plain() {
+  return [](const ShadowSettings& settings, device::Device& device) {
+    return std::make_unique<Made>(device, memory::nodeFormat(settings.nodeFormat));
+  };
+}
+
 std::vector<Entry<memory::MemoryStrategy>>& memories() {
   static std::vector<Entry<memory::MemoryStrategy>> list{
-      {"chunked", [](auto&, auto& device) { return std::make_unique<memory::Chunked>(device); }},
-      {"atlas", [](auto&, auto& device) { return std::make_unique<memory::Atlas>(device); }},
-      {"exact", [](auto&, auto& device) { return std::make_unique<memory::Exact>(device); }},
-      {"tiled", [](auto&, auto& device) { return std::make_unique<memory::Tiled>(device); }},
+      {"chunked", plain<memory::Chunked>()},
+      {"atlas", plain<memory::Atlas>()},
+      {"exact", plain<memory::Exact>()},
+      {"tiled", plain<memory::Tiled>()},
       {"fixed",
-       [](auto& settings, auto& device) { return std::make_unique<memory::Fixed>(device, settings.maxNodes); }},
+       [](auto& settings, auto& device) {
+         return std::make_unique<memory::Fixed>(device, memory::nodeFormat(settings.nodeFormat), settings.maxNodes);
+       }},
   };
   return list;
 }
