@@ -36,6 +36,7 @@ constexpr Suite kSuites[] = {
     {"chunks", "memory that chunks take and waste (Table 5.11)", benchChunks},
     {"gallery", "frame rates of all scenes, moving camera (Figure 5.14)", benchGallery},
     {"clustering", "error of shadows and times, with clusters and without", benchClustering},
+    {"stochastic", "stochastic shadows against maps (Weidner's Tables 3 and 4)", benchStochastic},
 };
 
 struct CommandOptions : BenchOptions {

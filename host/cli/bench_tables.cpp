@@ -32,11 +32,11 @@ std::string inUnit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-void printRow(std::ostream& out, const Row& row) {
+void printRow(std::ostream& out, const Row& row, const std::string& source) {
   printLine(out, inUnit(row.label, row.unit), row.ours);
-  printLine(out, inUnit(row.ours.empty() ? row.label : "  thesis", row.unit), row.thesis);
+  printLine(out, inUnit(row.ours.empty() ? row.label : "  " + source, row.unit), row.thesis);
   printLine(out, "  ratio", ratios(row.ours, row.ourBase));
-  printLine(out, "  ratio in the thesis", ratios(row.thesis, row.thesisBase));
+  printLine(out, "  ratio in the " + source, ratios(row.thesis, row.thesisBase));
   printLine(out, "  wanted", row.wanted);
 }
 
@@ -100,7 +100,7 @@ void printTable(std::ostream& out, const Table& table) {
   out << '\n' << table.title << "\n  " << std::left << std::setw(kLabelWidth) << table.parameter << std::right;
   for (const std::string& column : table.columns) out << std::setw(kColumnWidth) << column;
   out << '\n';
-  for (const Row& row : table.rows) printRow(out, row);
+  for (const Row& row : table.rows) printRow(out, row, table.source);
 }
 
 nlohmann::ordered_json tableJson(const Table& table) {
@@ -114,11 +114,8 @@ nlohmann::ordered_json tableJson(const Table& table) {
                     {"thesis_ratio", ratios(row.thesis, row.thesisBase)},
                     {"wanted", row.wanted}});
   }
-  return {{"name", table.name},
-          {"title", table.title},
-          {"parameter", table.parameter},
-          {"columns", table.columns},
-          {"rows", rows}};
+  return {{"name", table.name},       {"title", table.title},   {"parameter", table.parameter},
+          {"columns", table.columns}, {"source", table.source}, {"rows", rows}};
 }
 
 }  // namespace cdsm::cli

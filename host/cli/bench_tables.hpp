@@ -27,6 +27,7 @@ struct Table {
   std::string parameter;
   std::vector<std::string> columns;
   std::vector<Row> rows;
+  std::string source = "thesis";  ///< of the figures beside ours
 };
 
 /// A row without ratios, whose figures are still to come.

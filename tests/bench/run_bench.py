@@ -33,8 +33,10 @@ color = [[0.0, 1.0, 1.0, 1.0]]
 """
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 VOXELS = b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" + bytes(range(64))
-SCENES = ("clustering/camera_a", "clustering/camera_b", "clustering/camera_c", "xray/overview", "teacups/teacups_01")
-TABLES = {"tolerance": ["5.8", "5.9", "5.10"], "clustering": ["error", "frame", "cpu", "path"]}
+SCENES = ("clustering/camera_a", "clustering/camera_b", "clustering/camera_c", "xray/overview", "teacups/teacups_01",
+          "test-spheres/scene")
+TABLES = {"tolerance": ["5.8", "5.9", "5.10"], "clustering": ["error", "frame", "cpu", "path"],
+          "stochastic": ["weidner-3", "weidner-4", "memory", "noise"]}
 
 
 def fail(why):
