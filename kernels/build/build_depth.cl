@@ -16,7 +16,7 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
   SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
                                scene);
   LightStop stop;
-  beginStop(&stop, &params, x, y);
+  if (walk.left > 0) beginStop(&stop, &params, x, y); else stop.depth = INFINITY;
   while (walk.left > 0 && !isStopped(&stop)) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
