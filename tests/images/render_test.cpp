@@ -82,9 +82,9 @@ TEST_P(Render, matchesTheReference) {
 
 /// Stochastic shadows by many seeds: what is left of the noise, and the width of the lookups at edges of shadows.
 TEST(RenderStochastic, matchesTheReferenceInTheMean) {
-  constexpr int kSeeds = 8;
+  constexpr int kSeeds = 4;
   for (const ImageScene& scene : imageScenes()) {
-    Scene settings = property::along({"stochastic", "chunked", "bilinear", "buffer"}, scene.scene, 1024, 0.005f);
+    Scene settings = property::along({"stochastic", "chunked", "bilinear", "buffer"}, scene.scene, 512, 0.005f);
     settings.shadows.stratified = true;
     settings.shadows.samples = 7;
     Image mean{settings.image.width, settings.image.height, {}};

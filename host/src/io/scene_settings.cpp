@@ -63,9 +63,9 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.rays = reader.choice("rays", shadows.rays, kRays);
   shadows.threshold = reader.number("threshold", shadows.threshold, scene::kThreshold);
   shadows.pcf = reader.integer("pcf", shadows.pcf, scene::kPcf);
-  shadows.samples = reader.integer("samples", shadows.samples, scene::kWhole);
+  shadows.samples = reader.integer("samples", shadows.samples, scene::kSamples);
   reader.locate("samples", [&] { scene::validateSamples(shadows.samples); });
-  shadows.seed = reader.integer("seed", shadows.seed, scene::kWhole);
+  shadows.seed = reader.integer("seed", shadows.seed, scene::kSeed);
   shadows.stratified = reader.flag("stratified", shadows.stratified);
   shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
   shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);

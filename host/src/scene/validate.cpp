@@ -114,7 +114,7 @@ void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.threshold, kThreshold, "shadows threshold");
   requireRange(shadows.pcf, kPcf, "shadows pcf");
   validateSamples(shadows.samples);
-  requireRange(shadows.seed, kWhole, "shadows seed");
+  requireRange(shadows.seed, kSeed, "shadows seed");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
