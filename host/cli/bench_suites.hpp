@@ -29,6 +29,9 @@ std::vector<Table> benchChunks(const BenchOptions& options);
 /// [Knecht 2011, Figure 5.14]: frame rates while the camera moves.
 std::vector<Table> benchGallery(const BenchOptions& options);
 
+/// [Weidner & Linsen 2018, Tables 3 and 4]: stochastic shadows against shadow maps and deep shadow maps.
+std::vector<Table> benchStochastic(const BenchOptions& options);
+
 /// What clusters are for: the error of shadows, and what they cost.
 std::vector<Table> benchClustering(const BenchOptions& options);
 

@@ -32,11 +32,11 @@ std::string inUnit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-void printRow(std::ostream& out, int width, const Row& row) {
+void printRow(std::ostream& out, int width, const Row& row, const std::string& source) {
   printLine(out, width, inUnit(row.label, row.unit), row.ours);
-  printLine(out, width, inUnit(row.ours.empty() ? row.label : "  thesis", row.unit), row.thesis);
+  printLine(out, width, inUnit(row.ours.empty() ? row.label : "  " + source, row.unit), row.thesis);
   printLine(out, width, "  ratio", ratios(row.ours, row.ourBase));
-  printLine(out, width, "  ratio in the thesis", ratios(row.thesis, row.thesisBase));
+  printLine(out, width, "  ratio in the " + source, ratios(row.thesis, row.thesisBase));
   printLine(out, width, "  wanted", row.wanted);
 }
 
@@ -108,7 +108,7 @@ void printTable(std::ostream& out, const Table& table) {
   out << '\n' << table.title << "\n  " << std::left << std::setw(kLabelWidth) << table.parameter << std::right;
   for (const std::string& column : table.columns) out << std::setw(width) << column;
   out << '\n';
-  for (const Row& row : table.rows) printRow(out, width, row);
+  for (const Row& row : table.rows) printRow(out, width, row, table.source);
   for (const std::string& note : table.notes) out << "  " << note << '\n';
 }
 
@@ -123,8 +123,8 @@ nlohmann::ordered_json tableJson(const Table& table) {
                     {"thesis_ratio", ratios(row.thesis, row.thesisBase)},
                     {"wanted", row.wanted}});
   }
-  return {{"name", table.name},       {"title", table.title}, {"parameter", table.parameter},
-          {"columns", table.columns}, {"rows", rows},         {"notes", table.notes}};
+  return {{"name", table.name},     {"title", table.title}, {"parameter", table.parameter}, {"columns", table.columns},
+          {"source", table.source}, {"rows", rows},         {"notes", table.notes}};
 }
 
 }  // namespace cdsm::cli

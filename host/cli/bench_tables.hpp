@@ -31,7 +31,8 @@ struct Table {
   std::string parameter;
   std::vector<std::string> columns;
   std::vector<Row> rows;
-  std::vector<std::string> notes;  ///< below the table: why a column has no figures
+  std::vector<std::string> notes = {};  ///< below the table: why a column has no figures
+  std::string source = "thesis";        ///< of the figures beside ours
 };
 
 /// A row without ratios, whose figures are still to come.

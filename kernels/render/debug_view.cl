@@ -16,15 +16,6 @@ typedef struct SeenPoint {
   bool seen, surface;
 } SeenPoint;
 
-float extinctionOf(SceneAccess scene, const SegmentWalk* walk, float3 pointWorld CDSM_VOLUME_PARAMS) {
-  float extinction = 0.0f;
-  for (uint k = 0; k < walk->mediumCount; ++k) {
-    MediumData m = scene.media[activeMedium(walk, scene, k)];
-    extinction += mediumExtinction(scene, &m, pointWorld CDSM_VOLUME_ARGS);
-  }
-  return extinction;
-}
-
 /// Depth in the segment from walk->depth to `end` at which its media are seen, or INFINITY. The steps are those of the
 /// picture.
 float seenDepth(float* transparency, const Ray* ray, SceneAccess scene, const SegmentWalk* walk, float end,
@@ -44,7 +35,7 @@ float seenDepth(float* transparency, const Ray* ray, SceneAccess scene, const Se
       }
     }
     float depth = sampleDepth(&steps, i);
-    float extinction = extinctionOf(scene, walk, ray->origin + depth * ray->dir CDSM_VOLUME_ARGS);
+    float extinction = activeExtinction(walk, scene, ray->origin + depth * ray->dir CDSM_VOLUME_ARGS);
     *transparency *= exp(-extinction * steps.length);
     if (*transparency <= CDSM_UNSEEN) return depth;
   }

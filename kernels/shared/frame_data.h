@@ -21,9 +21,14 @@ typedef struct DepthParams {
   ViewData view;
   float threshold;      ///< opacity over which a surface stops the light
   uint firstTexel;      ///< of the map
-  uint padding0, padding1;
+  uint seed;            ///< stochastic: of the map's random numbers, which are in units of 2^-32:
+  uint patternX;        ///< what is added from texel to texel along x and y
+  uint patternY;
+  uint jitter;          ///< width of what each texel draws by itself
+  uint channelShift;    ///< what is added from channel to channel
+  uint padding;
 } DepthParams;
-CDSM_SIZE(DepthParams, 208);
+CDSM_SIZE(DepthParams, 224);
 
 typedef struct ShadeParams {
   ViewData view;
@@ -60,7 +65,7 @@ typedef struct TechniqueParams {
   uint opaque;       ///< shadow-rays: 1: all or nothing
   float threshold;   ///< shadow-rays, opaque: opacity over which a surface stops the light
   int pcf;           ///< shadow-map: texels of the filter around the one looked up
-  uint padding;
+  int samples;       ///< stochastic: texels looked up at once
 } TechniqueParams;
 CDSM_SIZE(TechniqueParams, 80);
 

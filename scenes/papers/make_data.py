@@ -15,7 +15,7 @@ try:
 except ImportError:
     sys.exit("make_data.py: needs NumPy (Debian: apt-get install python3-numpy)")
 
-from generate import car, fog, meshes, plumes, shapes, volumes
+from generate import car, fog, meshes, plumes, shapes, spheres, volumes
 
 HERE = pathlib.Path(__file__).resolve().parent
 TARGET = HERE / "generated"
@@ -44,6 +44,13 @@ def plume(**settings):
         voxels, edge, origin = plumes.density(plumes.Plume(**settings))
         volumes.write_nrrd(path, voxels, (edge, edge, edge), origin, "particles carried by turbulence")
     return write
+
+
+def ball_volume(path):
+    """Two units wide, its bottom on y = 0.02."""
+    edge = 2.0 / 128
+    volumes.write_nrrd(path, spheres.balls(128), (edge, edge, edge), (0.5 * edge - 1, 0.5 * edge + 0.02, 0.5 * edge - 1),
+                       "translucent balls")
 
 
 def fog_bank(path):
@@ -81,6 +88,7 @@ RECIPES = {
     "wisp.nrrd": plume(size=(72, 144, 72), height=1.6, source=(0.075, 0.075), rise=1.0, wind=(0.1, 0.03), swirl=0.36,
                        eddy=0.9, spread=0.018, puffs=0.8, seed=8),
     "fog.nrrd": fog_bank,
+    "balls.nrrd": ball_volume,
     "torso_256.nrrd": coarser(2),
     "torso_128.nrrd": coarser(4),
 }

@@ -34,9 +34,11 @@ color = [[0.0, 1.0, 1.0, 1.0]]
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 VOXELS = b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" + bytes(range(64))
 SCENES = ("papers/clustering/camera_a", "papers/clustering/camera_b", "papers/clustering/camera_c",
-          "papers/xray/overview", "papers/teacups/teacups_01", "bench/sparse")
+          "papers/xray/overview", "papers/teacups/teacups_01", "bench/sparse",
+          "papers/test-spheres/scene")
 TABLES = {"tolerance": ["5.8", "5.9", "5.10"], "clustering": ["error", "frame", "cpu", "path"],
-          "memory": ["0", "1", "2"], "techniques": ["ours", "paper", "cached"]}
+          "memory": ["0", "1", "2"], "techniques": ["ours", "paper", "cached"],
+          "stochastic": ["weidner-3", "weidner-4", "memory", "noise"]}
 ARGUMENTS = {"memory": ["{scenes}/papers/xray/overview.toml", "--map-sizes", "512,2048"]}
 NO_FIGURE = "error, "  # rows of these labels may lack figures: functions that are not compressed fit small maps alone
 

@@ -3,7 +3,7 @@
 """Same input, same device, same build: the same bytes. run_repeat.py CDSM SCENE_FOLDER
 
 Two scenes, each by two processes and once more on one core: PNG, EXR and transmittances of all memory
-strategies, of shadow rays and of shadow maps."""
+strategies, of shadow rays, of shadow maps and of stochastic ones."""
 import pathlib
 import sys
 import tempfile
@@ -13,7 +13,7 @@ import job
 TIMEOUT_SECONDS = 120
 SETTINGS = [["shadows.memory=" + name] for name in ["chunked", "atlas", "exact", "tiled", "fixed"]]
 SETTINGS += [["shadows.node_format=unorm16", "shadows.memory=exact"]]
-SETTINGS += [["shadows.technique=" + name] for name in ["shadow-rays", "shadow-map"]]
+SETTINGS += [["shadows.technique=" + name] for name in ["shadow-rays", "shadow-map", "stochastic"]]
 SETTINGS += [["shadows.technique=deep-shadow-map", "shadows.cache=volume"]]
 IMAGE = ["image.width=90", "image.height=60"]
 RUNS = [{"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "2"}, {"POCL_MAX_PTHREAD_COUNT": "1"}]

@@ -22,6 +22,10 @@ TEST_P(TinyEngine, everythingByRays) {
 TEST_P(TinyEngine, everythingByDepths) {
   expectSound(engine_, along(everythingScene(), "shadow-map", "chunked", "bilinear"));
 }
+TEST_P(TinyEngine, everythingByPhotons) {
+  for (const char* filter : {"bilinear", "nearest"})
+    expectSound(engine_, along(everythingScene(), "stochastic", "chunked", filter));
+}
 TEST_P(TinyEngine, volumesByOpaqueRays) {
   Scene scene = along(cutScene(), "shadow-rays", "chunked", "bilinear");
   scene.shadows.rays = "opaque";

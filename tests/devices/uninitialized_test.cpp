@@ -24,6 +24,7 @@ std::vector<Case> cases() {
           {"EverythingTiled", maps(everythingScene(), "tiled")},
           {"EverythingRays", along(everythingScene(), "shadow-rays", "chunked", "bilinear")},
           {"EverythingDepths", along(everythingScene(), "shadow-map", "chunked", "bilinear")},
+          {"EverythingPhotons", along(everythingScene(), "stochastic", "chunked", "bilinear")},
           {"VolumeChunked", maps(volumeScene(VoxelType::UInt8), "chunked")},
           {"VolumeNone", along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear")},
           {"CutAtlas", maps(cutScene(), "atlas")},

@@ -3,6 +3,7 @@
 // difference.
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <map>
 
 #include "image_compare.hpp"
@@ -77,6 +78,28 @@ TEST_P(Render, matchesTheReference) {
   const double part = partWithin(render, expected, technique.limit);
   EXPECT_GE(part, technique.part) << "of the pixels within " << technique.limit;
   if (part < technique.part) writeFailure(scene.name + technique.label, render, expected);
+}
+
+/// Stochastic shadows by many seeds: what is left of the noise, and the width of the lookups at edges of shadows.
+TEST(RenderStochastic, matchesTheReferenceInTheMean) {
+  constexpr int kSeeds = 4;
+  for (const ImageScene& scene : imageScenes()) {
+    Scene settings = property::along({"stochastic", "chunked", "bilinear", "buffer"}, scene.scene, 512, 0.005f);
+    settings.shadows.stratified = true;
+    settings.shadows.samples = 7;
+    Image mean{settings.image.width, settings.image.height, {}};
+    mean.pixels.resize(std::size_t(mean.width) * std::size_t(mean.height), glm::vec4(0.0f));
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      settings.shadows.seed = seed;
+      const Image render = property::engineOf("buffer").render(settings);
+      for (std::size_t i = 0; i < mean.pixels.size(); ++i) mean.pixels[i] += render.pixels[i] / float(kSeeds);
+    }
+    const Image& expected = cachedReference(scene, settings);
+    const double part = partWithin(mean, expected, 6.0f / 255.0f);
+    std::cout << scene.name << ": " << part << " of the pixels\n";
+    EXPECT_GE(part, 0.9) << scene.name;
+    if (part < 0.9) writeFailure(scene.name + "Stochastic", mean, expected);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Render, ::testing::Range<std::size_t>(0, cases().size()), [](const auto& instance) {

@@ -84,9 +84,9 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
             F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity) F(firstNode)
                 F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
     CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) F(opaque) F(threshold)
-        F(pcf) F(padding) CDSM_END CDSM_BEGIN(DepthParams) F(view) F(threshold) F(firstTexel) F(padding0)
-            F(padding1) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END
-    CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
+        F(pcf) F(samples) CDSM_END CDSM_BEGIN(DepthParams) F(view) F(threshold) F(firstTexel) F(seed) F(patternX)
+            F(patternY) F(jitter) F(channelShift) F(padding) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep)
+                F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)

@@ -136,6 +136,10 @@ GOOD_RUNS = [
     works("small nodes", RENDER + ["--set", "shadows.node_format=unorm16"], ("out.png", "stats.json")),
     works("a light inside a volume and a wide filter", RENDER + ["--set", "light.key.position=[1.5, 1.5, 1.5]"]
           + ["--set", "shadows.technique=shadow-map", "--set", "shadows.pcf=16"], ("out.png",)),
+    works("stochastic shadows", RENDER + ["--set", "shadows.technique=stochastic", "--set", "shadows.stratified=true"]
+          + ["--set", "shadows.samples=21", "--set", "volume.smoke.shadow_opacity=[[0, 0.9]]"], ("out.png",)),
+    works("a query by chance", QUERY + ["--set", "shadows.technique=stochastic", "--set", "shadows.seed=0"],
+          ("out.csv",)),
     works("a query by opaque rays", QUERY + ["--set", "shadows.technique=shadow-rays", "--set", "shadows.rays=opaque"]
           + ["--set", "shadows.threshold=0"], ("out.csv",)),
     works("a camera inside a volume", RENDER + ["--set", "camera.position=[1.5, 1.5, 1.5]"], ("out.png",)),
@@ -230,6 +234,18 @@ SCENES = [
     settings("pcf of half a texel", "pcf is a number with a fraction", "shadows.pcf=0.5"),
     settings("unknown cache", "unknown cache 'voxels', must be one of: none, volume", "shadows.cache=voxels"),
     settings("cache as a flag", "cache is true or false", "shadows.cache=true"),
+    settings("samples of no known lookup", "samples is 14, must be 7, 13 or 21", "shadows.samples=14"),
+    settings("samples below 0", "samples is -7, must be in [7, 21]", "shadows.samples=-7"),
+    settings("part of a sample", "samples is a number with a fraction", "shadows.samples=7.5"),
+    settings("seed below 0", "seed is -1, must be in [0, 999999]", "shadows.seed=-1"),
+    settings("seed with a fraction", "seed is a number with a fraction", "shadows.seed=0.5"),
+    settings("stratified as a number", "stratified is an integer, must be true or false", "shadows.stratified=1"),
+    settings("shadow opacity over 1", "shadow_opacity is 1.5, must be in [0, 1]",
+             "volume.smoke.shadow_opacity=[[0, 0], [1, 1.5]]"),
+    settings("shadow opacity that falls back", "shadow_opacity has the value 0 after 1, must be ascending",
+             "volume.smoke.shadow_opacity=[[1, 0], [0, 0.5]]"),
+    settings("shadow opacity of nothing", "shadow_opacity is an array", "volume.smoke.shadow_opacity=[]"),
+    settings("shadow opacity as a number", "shadow_opacity is", "volume.smoke.shadow_opacity=0.5"),
     settings("stable as a number", "stable is an integer, must be true or false", "shadows.stable=1"),
     scene("casting as a word", "casts_shadow is a string, must be true or false",
           b"closed.obj\"", b"closed.obj\"\ncasts_shadow = 'no'"),
@@ -458,7 +474,7 @@ FRAMES = [
 LATER = [
     settings(f"unsupported {value}", "not supported yet", value)
     for value in (
-        "shadows.technique=stochastic",
+        "shadows.technique=implicit-sphere",
         "shadows.transmittance=rgb",
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",

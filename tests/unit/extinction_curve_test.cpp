@@ -31,7 +31,7 @@ TEST(ExtinctionCurve, FollowsRampsPeaksStepsAndTheCap) {
   TransferFunction transfer = reference::constantOpacity(0.0f, 2.0f);
   transfer.opacity = {{-10.0f, 0.2f}, {0.0f, 0.0f},   {50.0f, 1.0f}, {50.0f, 0.1f},
                       {99.5f, 0.1f},  {100.0f, 0.9f}, {100.5f, 0.0f}};
-  const ExtinctionCurve curve = makeExtinctionCurve(transfer);
+  const ExtinctionCurve curve = makeExtinctionCurve(transfer.opacity, transfer.unitDistance);
   EXPECT_LT(curve.size(), 600u);
   const double largest = exact(transfer, 49.999);
   for (double value = -12.0; value < 103.0; value += 0.0103)
@@ -41,7 +41,7 @@ TEST(ExtinctionCurve, FollowsRampsPeaksStepsAndTheCap) {
 TEST(ExtinctionCurve, AscendsAndKeepsAllPoints) {
   TransferFunction transfer = reference::constantOpacity(0.0f, 1.0f);
   transfer.opacity = {{1.0f, 0.0f}, {1.0000001f, 0.9f}, {1.0000001f, 0.1f}, {3.0f, 0.5f}};
-  const ExtinctionCurve curve = makeExtinctionCurve(transfer);
+  const ExtinctionCurve curve = makeExtinctionCurve(transfer.opacity, transfer.unitDistance);
   EXPECT_TRUE(std::is_sorted(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a.x < b.x; }));
   for (const TransferFunction::OpacityPoint& point : transfer.opacity)
     EXPECT_TRUE(std::any_of(curve.begin(), curve.end(), [&](const auto& corner) {

@@ -193,7 +193,7 @@ TEST_F(SceneFile, TakesAMatrixRowByRow) {
 
 TEST_F(SceneFile, AcceptsLaterKeysAtTheirDefaults) {
   EXPECT_EQ(complaint("[shadows]\ntransmittance = 'grey'\n"
-                      "samples = 13\nseed = 1\npatch = 1\nsoftness = 0.0\nsoftness_distance = 1.0\n"
+                      "patch = 1\nsoftness = 0.0\nsoftness_distance = 1.0\n"
                       "softness_exponent = 1.0\ncache = 'none'\n" +
                       kMaterial + "transmission = [0, 0, 0]\n" + kVolume + "transmission = []\nboundary = ''\n"),
             "");
@@ -312,7 +312,8 @@ TEST_F(SceneFile, RefusesKeysOfOtherTypesOfLights) {
 
 TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
   expectComplaints({
-      {"[shadows]\ntechnique = 'stochastic'\n", "scene.toml:2:13: technique 'stochastic' is not supported yet"},
+      {"[shadows]\ntechnique = 'implicit-sphere'\n",
+       "scene.toml:2:13: technique 'implicit-sphere' is not supported yet"},
       {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
       {"[shadows]\ncache = 'volume'\n", "scene.toml:2:9: cache 'volume' is not supported yet"},
       {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},

@@ -226,7 +226,7 @@ TEST_F(AnimatedScene, NamesTheFrameAtWhichAValueGoesWrong) {
               8, 9, "mesh 'cup': the transform cannot be inverted");
   expectWrong("volume.smoke.opacity", "[[0, 0, 0.5, 9, 0.5], [4, 0, 0.5, -3, 0.5]]", 3, 4,
               "opacity has the value -3 after 0, must be ascending");
-  expectWrong("shadows.seed", "[[0, 1], [9, 10]]", 0, 1, "seed other than 1 is not supported yet");
+  expectWrong("shadows.seed", "[[0, 1], [9, -10]]", 0, 9, "seed is -10, must be in [0, 999999]");
 }
 
 TEST_F(AnimatedScene, RefusesWhatTheObjectCannotHave) {

@@ -18,6 +18,9 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   shadows.rays = "opaque";
   shadows.threshold = 0.3f;
   shadows.pcf = 2;
+  shadows.samples = 21;
+  shadows.seed = 7;
+  shadows.stratified = true;
   const auto settings = nlohmann::json::parse(statsJson({}, shadows, {})).at("settings");
   EXPECT_EQ(settings.at("technique"), "deep-shadow-map");
   EXPECT_EQ(settings.at("memory"), "exact");
@@ -31,6 +34,9 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   EXPECT_EQ(settings.at("rays"), "opaque");
   EXPECT_EQ(settings.at("threshold"), 0.3);
   EXPECT_EQ(settings.at("pcf"), 2);
+  EXPECT_EQ(settings.at("samples"), 21);
+  EXPECT_EQ(settings.at("seed"), 7);
+  EXPECT_EQ(settings.at("stratified"), true);
   EXPECT_EQ(settings.at("step"), 0.0);
   EXPECT_EQ(settings.at("bias"), 0.0);
   EXPECT_EQ(settings.at("tolerance_mode"), "samples");

@@ -34,14 +34,14 @@ def cells(values, ratios, unit):
     return [f"{number(ratio)} ({number(value)} {unit})" for value, ratio in zip(values, ratios)]
 
 
-def lines_of(row):
+def lines_of(row, source):
     """The lines of a table that a row becomes: a label and cells each."""
     ratio = bool(row["ours_ratio"])
     name = row["label"] if ratio or not row["unit"] else f"{row['label']}, {row['unit']}"
     if row["ours"]:
         yield powers(name), cells(row["ours"], row["ours_ratio"], row["unit"])
     if row["thesis"]:
-        label = "– thesis" if row["ours"] else name
+        label = f"– {source}" if row["ours"] else name
         yield label, cells(row["thesis"], row["thesis_ratio"], row["unit"])
     if row["wanted"]:
         yield "– wanted", [number(value) for value in row["wanted"]]
@@ -56,7 +56,7 @@ def markdown(lines):
 
 def table_text(table):
     lines = [[table["parameter"]] + [powers(column) for column in table["columns"]]]
-    lines += [[label] + values for row in table["rows"] for label, values in lines_of(row)]
+    lines += [[label] + values for row in table["rows"] for label, values in lines_of(row, table["source"])]
     if len(table["columns"]) > MOST_COLUMNS:
         lines = [list(line) for line in zip(*lines)]
     notes = "".join(f"\n\n{note}" for note in table["notes"])

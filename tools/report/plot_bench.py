@@ -55,10 +55,10 @@ def both_lines(axis, x, row, key, number, label):
         axis.plot(x, row["thesis" + key], color=colour, marker=marker, linestyle="--", markerfacecolor="white")
 
 
-def key_of_lines(axis):
+def key_of_lines(axis, source="thesis"):
     """Says what full and dashed lines are, beside the labels there are."""
     axis.plot([], [], color="#666666", label="here")
-    axis.plot([], [], color="#666666", linestyle="--", label="thesis")
+    axis.plot([], [], color="#666666", linestyle="--", label=source)
 
 
 def ticks(axis, labels):
@@ -246,10 +246,28 @@ def plot_demo(results):
     return figure
 
 
+def plot_stochastic(results):
+    *times, _, noise = results["tables"]
+    figure, axes = panels(3)
+    for axis, table, title in zip(axes, times, ("building maps", "frame")):
+        for number, row in enumerate(table["rows"][:2]):
+            both_lines(axis, range(len(table["columns"])), row, "", number, row["label"])
+        ticks(axis, table["columns"])
+        axis.set(title=title, ylim=(0, None))
+    axes[0].set_ylabel("stochastic, relative to the others")
+    key_of_lines(axes[0], times[0]["source"])
+    axes[0].legend(loc="lower left")
+    bar_pairs(axes[2], noise, ("as published", "stratified"), ("as published", "stratified"))
+    axes[2].set(title="noise of a pixel")
+    figure.tight_layout()
+    return figure
+
+
 PLOTS = {
     "demo": plot_demo, "map-size": plot_map_size, "volume-size": plot_variants, "tolerance": plot_variants,
     "objects": plot_objects, "chunks": plot_chunks, "gallery": plot_gallery, "clustering": plot_clustering,
     "memory": plot_memory, "techniques": plot_techniques,
+    "stochastic": plot_stochastic,
 }
 
 

@@ -43,6 +43,9 @@ struct ShadowSettings {
   std::string rays = "exact";             ///< shadow-rays: exact | opaque
   float threshold = 0.5f;         ///< shadow-map, opaque rays: opacity above which all light is stopped, in [0, 1)
   int pcf = 1;                    ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
+  int samples = 13;               ///< stochastic: texels averaged per lookup, 7, 13 or 21
+  int seed = 1;                   ///< stochastic: of its random numbers, at least 0
+  bool stratified = false;        ///< stochastic: numbers spread evenly over the texels of a lookup
   int clusters = 1;               ///< the most clusters of casters per light; 1: no clustering
   float clusterDistance = 0.25f;  ///< d0, in units of the light-space-perspective [-1, 1] square
   bool stable = false;            ///< hand over smoothly when clusters change; frames depend on those before
@@ -138,8 +141,11 @@ struct TransferFunction {
     glm::vec3 color;
   };
   std::vector<OpacityPoint> opacity;
+  std::vector<OpacityPoint> shadowOpacity;  ///< in place of `opacity` where light is attenuated; empty: the same
   std::vector<ColorPoint> color;
   float unitDistance = 1.0f;  ///< world length for which the opacities hold, > 0
+
+  const std::vector<OpacityPoint>& towardsLights() const { return shadowOpacity.empty() ? opacity : shadowOpacity; }
 };
 
 struct Volume {

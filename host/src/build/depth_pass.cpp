@@ -10,6 +10,12 @@ namespace {
 
 std::size_t texelsOf(const shared::MapData& map) { return std::size_t(map.width) * std::size_t(map.height); }
 
+/// Each set of casters draws numbers of its own: its map may be multiplied with those of others.
+std::uint32_t seedOf(std::uint32_t seed, const std::vector<unsigned>& casters) {
+  for (const unsigned object : casters) seed = (seed ^ (object + 1)) * 16777619u;
+  return seed;
+}
+
 }  // namespace
 
 std::vector<shared::MapData> DepthPass::place(const std::vector<MapJob>& jobs) {
@@ -26,31 +32,37 @@ std::vector<shared::MapData> DepthPass::place(const std::vector<MapJob>& jobs) {
   if (texels > 0xffffffffu)
     throw DeviceError("the shadow maps have " + std::to_string(texels) +
                       " texels, must be below 2^32; take a smaller map_size or fewer clusters");
-  if (inPlace && depths_.size() == texels) return maps;
+  const std::size_t size = depthsPerTexel_ * texels + readBeyond_;
+  if (inPlace && depths_.size() == size) return maps;
   if (none) depths_ = {};
-  Floats moved(device_, texels, "depths of shadow maps");
+  Floats moved(device_, size, "depths of shadow maps");
   for (std::size_t i = 0; i < jobs.size(); ++i)
     if (jobs[i].kept != memory::kBuildAnew)
-      device::copyElements(device_, depths_, jobs[i].map.firstTexel, texelsOf(maps[i]), moved, maps[i].firstTexel);
+      device::copyElements(device_, depths_, depthsPerTexel_ * jobs[i].map.firstTexel,
+                           depthsPerTexel_ * texelsOf(maps[i]), moved, depthsPerTexel_ * maps[i].firstTexel);
   depths_ = std::move(moved);
   return maps;
 }
 
-std::vector<shared::MapData> DepthPass::run(const DeviceScene& scene, const std::vector<MapJob>& jobs, float threshold,
-                                            RasterPass& raster, const RasterPass::Report& report) {
+std::vector<shared::MapData> DepthPass::run(const DeviceScene& scene, const std::vector<MapJob>& jobs,
+                                            const StopRule& rule, RasterPass& raster,
+                                            const RasterPass::Report& report) {
   std::vector<shared::MapData> maps = place(jobs);
-  const auto limits = Floats::fromHost(device_, scene.opaqueExtinctions(threshold), "opaque extinctions");
-  DepthKernel buildDepths(device_, sceneProgram(device_, scene, "build/build_depth.cl", {}), "buildDepths");
+  DepthKernel buildDepths(
+      device_, sceneProgram(device_, scene, "build/build_depth.cl", {{"CDSM_STOP", rule.kernelFile}}), "buildDepths");
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (jobs[i].kept != memory::kBuildAnew) continue;
     const ObjectSet casters = scene.castingObjects(jobs[i].casters);
     device_.profiler().beginGroup("rasterize");
     const Layers& layers = raster.run(scene, casters, jobs[i].view, report);
     device_.profiler().beginGroup("build maps");
-    const shared::DepthParams params{layers.view, threshold, maps[i].firstTexel, 0, 0};
+    shared::DepthParams params = rule.params;
+    params.view = layers.view;
+    params.firstTexel = maps[i].firstTexel;
+    params.seed = seedOf(rule.params.seed, jobs[i].casters);
     const std::size_t pixels = std::size_t(layers.view.tilesX) * layers.view.tilesY * CDSM_TILE_PIXELS;
-    buildDepths({"build depths", {pixels}, {CDSM_TILE_PIXELS}}, params, layers.fragments, layers.ranges, limits,
-                depths_, scene.arguments(casters, layers.initialObjects));
+    buildDepths({"build depths", {pixels}, {CDSM_TILE_PIXELS}}, params, layers.fragments, layers.ranges, depths_,
+                scene.arguments(casters, layers.initialObjects), rule.arguments);
   }
   return maps;
 }

@@ -90,6 +90,7 @@ void DeviceScene::clear() {
   mediumOwner_.clear();
   curves_.clear();
   extinctionLut_.clear();
+  lightLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
   grids_.clear();
@@ -117,11 +118,12 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   grids_.push_back({affineOf(worldFromIndex), size.x * size.y * size.z, shared::uint(hostMedia_.size())});
   shadowBlocks_ += (std::size_t(size.x) * size.y * size.z + CDSM_SHADOW_BLOCK - 1) / CDSM_SHADOW_BLOCK;
   for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
+  lightLut_.insert(lightLut_.end(), table.towardsLights.begin(), table.towardsLights.end());
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
   mediumLists_.push_back(shared::uint(hostMedia_.size()));
   hostMedia_.push_back(medium);
-  curves_.push_back(makeExtinctionCurve(volume.transfer));
+  curves_.push_back(makeExtinctionCurve(volume.transfer.towardsLights(), volume.transfer.unitDistance));
   mediumOwner_.push_back(boxObject(scene, volume));
 }
 
@@ -186,7 +188,9 @@ void DeviceScene::update(const Scene& scene) {
   updateBounds();
   geometry_.update(objectTriangles_);
   upload();
-  cells_.run(slots_, hostMedia_, extinctionLut_, curves_);
+  std::vector<float> either = extinctionLut_;  // a cell is empty if it is so on the way to the camera and to lights
+  for (std::size_t i = 0; i < either.size(); ++i) either[i] = std::max(either[i], lightLut_[i]);
+  cells_.run(slots_, hostMedia_, either, curves_);
   requireSteps();
 }
 
@@ -218,6 +222,7 @@ void DeviceScene::upload() {
   };
   put(media_, hostMedia_, "media");
   put(extinctions_, extinctionLut_, "extinction tables");
+  put(lightExtinctions_, lightLut_, "extinction tables of light");
   put(colors_, colorLut_, "colour tables");
   float extinction = 0.0f;
   for (const Mesh& mesh : scene_.meshes) extinction = std::max(extinction, mesh.interiorExtinction);
@@ -268,7 +273,9 @@ ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) cons
     object.mediumCount = shared::uint(lists.size()) - first;
   }
   for (std::size_t i = 0; i < objects.size(); ++i) objects[i].encloses = encloses[i];
-  return makeSet(std::move(objects), lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
+  ObjectSet set = makeSet(std::move(objects), lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
+  set.towardsLight = true;
+  return set;
 }
 
 device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
@@ -279,7 +286,7 @@ device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
                             set.objects.cl(),
                             set.lists.cl(),
                             media_.cl(),
-                            extinctions_.cl(),
+                            set.towardsLight ? lightExtinctions_.cl() : extinctions_.cl(),
                             colors_.cl(),
                             cells_.cells().cl(),
                             initialObjects.cl()};

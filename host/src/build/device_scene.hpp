@@ -64,8 +64,10 @@ class DeviceScene {
   /// Blocks of CDSM_SHADOW_BLOCK voxels that hold a value for each voxel of each volume.
   std::size_t shadowBlocks() const { return shadowBlocks_; }
 
-  /// Per medium.
+  /// Per medium, where light is attenuated.
   const std::vector<ExtinctionCurve>& curves() const { return curves_; }
+  /// The same as tables of all volumes, see MediumData::lutOffset.
+  const device::Buffer<float>& lightExtinctions() const { return lightExtinctions_; }
 
   const scene::Bounds& bounds() const { return bounds_; }
 
@@ -102,14 +104,14 @@ class DeviceScene {
   std::vector<shared::MediumData> hostMedia_;
   std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
   std::vector<ExtinctionCurve> curves_;
-  std::vector<float> extinctionLut_;
+  std::vector<float> extinctionLut_, lightLut_;  ///< as the camera sees it, and where light is attenuated
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
   std::vector<VolumeGrid> grids_;
   std::size_t shadowBlocks_ = 0;
 
   device::Buffer<shared::MediumData> media_;
-  device::Buffer<float> extinctions_;
+  device::Buffer<float> extinctions_, lightExtinctions_;
   device::Buffer<shared::float4> colors_;
   MacrocellPass cells_;
 };

@@ -47,11 +47,10 @@ std::vector<Point> cappedPoints(const std::vector<Point>& points) {
 
 }  // namespace
 
-ExtinctionCurve makeExtinctionCurve(const TransferFunction& transfer) {
-  const std::vector<Point> points = cappedPoints(transfer.opacity);
-  ExtinctionCurve curve{{points[0].value, extinctionOf(points[0].opacity, transfer.unitDistance)}};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    addEdge(curve, points[i - 1], points[i], transfer.unitDistance, kMostHalvings);
+ExtinctionCurve makeExtinctionCurve(const std::vector<Point>& opacity, float unitDistance) {
+  const std::vector<Point> points = cappedPoints(opacity);
+  ExtinctionCurve curve{{points[0].value, extinctionOf(points[0].opacity, unitDistance)}};
+  for (std::size_t i = 1; i < points.size(); ++i) addEdge(curve, points[i - 1], points[i], unitDistance, kMostHalvings);
   return curve;
 }
 

@@ -16,9 +16,9 @@ namespace cdsm::build {
 /// step.
 using ExtinctionCurve = std::vector<shared::float2>;
 
-/// Within 0.02 % of the larger extinction at the ends of each edge. All points of `transfer`, which is valid, are
+/// Within 0.02 % of the larger extinction at the ends of each edge. All points of `opacity`, which is valid, are
 /// corners.
-ExtinctionCurve makeExtinctionCurve(const TransferFunction& transfer);
+ExtinctionCurve makeExtinctionCurve(const std::vector<TransferFunction::OpacityPoint>& opacity, float unitDistance);
 
 /// The curves of a scene's media on the device, in their order; of constant media they are empty.
 class ExtinctionCurves {

@@ -19,6 +19,7 @@ struct ObjectSet {
   std::vector<TriangleRange> triangles;  ///< that are drawn, neighbouring ranges joined
   std::vector<std::uint32_t> enclosing;  ///< objects of which rays keep track whether they are inside
   float interiorStep = 0.0f;             ///< ray step where a ray is in constant media only, world units
+  bool towardsLight = false;             ///< volumes have the extinction that light meets, else that of the picture
 };
 
 }  // namespace cdsm::build

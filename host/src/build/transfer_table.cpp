@@ -45,7 +45,8 @@ bool startsWithStep(const std::vector<Point>& points, float low) {
 
 /// Intervals of the table: a multiple of the span where all points have whole values, so that none falls in between.
 int intervals(const TransferFunction& transfer, float span) {
-  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.color)) return kMostEntries;
+  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.shadowOpacity) || !wholeValues(transfer.color))
+    return kMostEntries;
   if (span > kMostWhole) return kMostWhole;
   const int whole = int(span);
   return whole * std::max(1, (kLeastEntries + whole - 1) / whole);
@@ -61,22 +62,29 @@ float extinctionOf(float opacity, float unitDistance) {
 TransferTable makeTransferTable(const TransferFunction& given) {
   TransferFunction transfer = given;
   transfer.opacity = withoutConstantEnds(given.opacity, &TransferFunction::OpacityPoint::opacity);
+  transfer.shadowOpacity = withoutConstantEnds(given.towardsLights(), &TransferFunction::OpacityPoint::opacity);
   transfer.color = withoutConstantEnds(given.color, &TransferFunction::ColorPoint::color);
-  float low = std::min(transfer.opacity.front().value, transfer.color.front().value);
-  const float high = std::max(transfer.opacity.back().value, transfer.color.back().value);
+  float low =
+      std::min({transfer.opacity.front().value, transfer.shadowOpacity.front().value, transfer.color.front().value});
+  const float high =
+      std::max({transfer.opacity.back().value, transfer.shadowOpacity.back().value, transfer.color.back().value});
   int count = high > low ? intervals(transfer, high - low) : 1;
   const float width = high > low ? (high - low) / float(count) : std::max(1e-3f, 1e-5f * std::abs(low));
-  const bool step = startsWithStep(transfer.opacity, low) || startsWithStep(transfer.color, low);
+  const bool step = startsWithStep(transfer.opacity, low) || startsWithStep(transfer.shadowOpacity, low) ||
+                    startsWithStep(transfer.color, low);
   if (step) low -= width;  // one entry in front of it
   if (step && high > low + width) ++count;
   TransferTable table;
   table.scale = high > low ? float(count) / (high - low) : 0.0f;
   table.bias = -low * table.scale;
+  const auto extinctionAt = [&](const std::vector<TransferFunction::OpacityPoint>& points, float value) {
+    return extinctionOf(interpolate(points, value, &TransferFunction::OpacityPoint::opacity), transfer.unitDistance);
+  };
   for (int i = 0; i <= count; ++i) {
     const float value = i == count ? high : low + (high - low) * float(i) / float(count);
-    const float opacity = interpolate(transfer.opacity, value, &TransferFunction::OpacityPoint::opacity);
     const glm::vec3 color = interpolate(transfer.color, value, &TransferFunction::ColorPoint::color);
-    table.entries.emplace_back(color, extinctionOf(opacity, transfer.unitDistance));
+    table.entries.emplace_back(color, extinctionAt(transfer.opacity, value));
+    table.towardsLights.push_back(extinctionAt(transfer.shadowOpacity, value));
   }
   return table;
 }

@@ -131,7 +131,7 @@ bool casts(const Scene& scene, unsigned object) {
            (scene.materials[mesh.material].opacity > 0.0f || mesh.interiorExtinction > 0.0f);
   }
   const Volume& volume = scene.volumes[object - scene.meshes.size()];
-  const auto& curve = volume.transfer.opacity;
+  const auto& curve = volume.transfer.towardsLights();
   return volume.shadow.casts && std::any_of(curve.begin(), curve.end(), [](const auto& p) { return p.opacity > 0.0f; });
 }
 

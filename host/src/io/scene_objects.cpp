@@ -117,11 +117,16 @@ TransferFunction readPresetOf(const TableReader& reader, const AssetCache& asset
   return preset;
 }
 
+std::vector<TransferFunction::OpacityPoint> readOpacity(const TableReader& reader, const char* key) {
+  std::vector<TransferFunction::OpacityPoint> points;
+  for (const auto& row : reader.points(key, 2, scene::kUnitInterval)) points.push_back({row[0], row[1]});
+  return points;
+}
+
 TransferFunction readTransferFunction(const TableReader& reader, const AssetCache& assets) {
   TransferFunction transfer = readPresetOf(reader, assets);
-  if (transfer.opacity.empty())
-    for (const auto& row : reader.points("opacity", 2, scene::kUnitInterval))
-      transfer.opacity.push_back({row[0], row[1]});
+  if (transfer.opacity.empty()) transfer.opacity = readOpacity(reader, "opacity");
+  if (reader.has("shadow_opacity")) transfer.shadowOpacity = readOpacity(reader, "shadow_opacity");
   if (transfer.color.empty())
     for (const auto& row : reader.points("color", 4, scene::kNotNegative))
       transfer.color.push_back({row[0], {row[1], row[2], row[3]}});

@@ -12,7 +12,7 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map"}, {"stochastic", "implicit-sphere"}};
+const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map", "stochastic"}, {"implicit-sphere"}};
 const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
 const Choices kNodeFormats{{"float32", "unorm16"}, {}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
@@ -25,8 +25,7 @@ const Choices kCaches{{"none", "volume"}, {}};
 /// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
 /// accepted and ignored: nothing that this version computes depends on it.
 const std::vector<std::pair<std::string, double>> kLaterShadowKeys{
-    {"samples", 13.0},         {"seed", 1.0}, {"patch", 1.0}, {"softness", 0.0}, {"softness_distance", 1.0},
-    {"softness_exponent", 1.0}};
+    {"patch", 1.0}, {"softness", 0.0}, {"softness_distance", 1.0}, {"softness_exponent", 1.0}};
 
 }  // namespace
 
@@ -66,6 +65,10 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.rays = reader.choice("rays", shadows.rays, kRays);
   shadows.threshold = reader.number("threshold", shadows.threshold, scene::kThreshold);
   shadows.pcf = reader.integer("pcf", shadows.pcf, scene::kPcf);
+  shadows.samples = reader.integer("samples", shadows.samples, scene::kSamples);
+  reader.locate("samples", [&] { scene::validateSamples(shadows.samples); });
+  shadows.seed = reader.integer("seed", shadows.seed, scene::kSeed);
+  shadows.stratified = reader.flag("stratified", shadows.stratified);
   shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
   shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);
   shadows.stable = reader.flag("stable", shadows.stable);

@@ -5,15 +5,15 @@ namespace cdsm::render {
 
 namespace {
 
-shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& deviceScene,
-                                const shared::ViewData& view) {
+shared::ShadeParams shadeParams(const Scene& scene, const build::DeviceScene& deviceScene, const shared::ViewData& view,
+                                float lookupTolerance) {
   shared::ShadeParams params{};
   params.view = view;
   params.ambient = {scene.image.ambient, 0.0f};
   params.interiorStep = deviceScene.allObjects().interiorStep;
   params.bias = surfaceBias(scene, deviceScene);
   params.lightCount = shared::uint(scene.lights.size());
-  params.lookupTolerance = scene.shadows.tolerance;
+  params.lookupTolerance = lookupTolerance;
   return params;
 }
 
@@ -44,8 +44,9 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
                           build::sceneProgram(device_, deviceScene, "render/shade.cl", cache.kernelFiles(technique)),
                           "shadePixels");
   const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
-  shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, shadeParams(scene, deviceScene, view), layers.fragments,
-              layers.ranges, lights, image_, samples_, technique.params(scene), cache.arguments(technique),
+  shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}},
+              shadeParams(scene, deviceScene, view, technique.lookupTolerance(scene)), layers.fragments, layers.ranges,
+              lights, image_, samples_, technique.params(scene), cache.arguments(technique),
               deviceScene.arguments(deviceScene.allObjects(), layers.initialObjects));
   ShadedView shaded;
   shaded.pixels = image_.download();

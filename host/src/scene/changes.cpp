@@ -21,7 +21,8 @@ template <class T>
 bool sameLists(const std::vector<T>& a, const std::vector<T>& b);
 
 bool same(const TransferFunction& a, const TransferFunction& b) {
-  return a.unitDistance == b.unitDistance && sameLists(a.opacity, b.opacity) && sameLists(a.color, b.color);
+  return a.unitDistance == b.unitDistance && sameLists(a.opacity, b.opacity) && sameLists(a.color, b.color) &&
+         sameLists(a.shadowOpacity, b.shadowOpacity);
 }
 
 bool same(const Volume& a, const Volume& b) {
@@ -74,7 +75,7 @@ CasterChange casterChange(const Scene& a, const Scene& b, unsigned object) {
     if (m.data != n.data || m.worldFromObject != n.worldFromObject) return CasterChange::Other;
   }
   const TransferFunction &s = v.transfer, &t = w.transfer;
-  const bool same = s.unitDistance == t.unitDistance && sameLists(s.opacity, t.opacity);
+  const bool same = s.unitDistance == t.unitDistance && sameLists(s.towardsLights(), t.towardsLights());
   return same ? CasterChange::None : CasterChange::TransferFunction;
 }
 
@@ -90,6 +91,9 @@ LightChange lightChange(const Light& a, const Light& b) {
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
   if (std::tie(a.technique, a.mapSize, a.step) != std::tie(b.technique, b.mapSize, b.step)) return false;
   if (a.technique == "shadow-map") return a.threshold == b.threshold;
+  if (a.technique == "stochastic")
+    return std::tie(a.seed, a.stratified) == std::tie(b.seed, b.stratified) &&
+           (!a.stratified || a.samples == b.samples);
   const auto settings = [](const ShadowSettings& s) {
     return std::tie(s.memory, s.maxNodes, s.nodeFormat, s.tolerance, s.toleranceMode, s.memoryLimitMb, s.onOverflow);
   };
@@ -98,7 +102,7 @@ bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
 
 bool sameTransmittance(const Scene& a, const Scene& b) {
   const auto settings = [](const ShadowSettings& s) {
-    return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.clusters, s.clusterDistance, s.cache);
+    return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.samples, s.clusters, s.clusterDistance, s.cache);
   };
   if (!sameMapSettings(a.shadows, b.shadows) || settings(a.shadows) != settings(b.shadows)) return false;
   if (a.lights.size() != b.lights.size() || a.meshes.size() != b.meshes.size() || a.volumes.size() != b.volumes.size())

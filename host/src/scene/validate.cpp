@@ -99,6 +99,11 @@ void validateImage(const ImageSettings& image) {
   requireVector(image.ambient, kNotNegative, "image ambient");
 }
 
+void validateSamples(int samples) {
+  if (samples != 7 && samples != 13 && samples != 21)
+    throw Error("shadows samples is " + std::to_string(samples) + ", must be 7, 13 or 21");
+}
+
 void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.mapSize, kMapSize, "shadows map_size");
   requireRange(shadows.maxNodes, kMaxNodes, "shadows max_nodes");
@@ -110,6 +115,8 @@ void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.memoryLimitMb, kNotNegative, "shadows memory_limit_mb");
   requireRange(shadows.threshold, kThreshold, "shadows threshold");
   requireRange(shadows.pcf, kPcf, "shadows pcf");
+  validateSamples(shadows.samples);
+  requireRange(shadows.seed, kSeed, "shadows seed");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");

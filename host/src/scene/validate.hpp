@@ -19,6 +19,7 @@ void validateScene(const Scene& scene, DataChecks& checks);
 void validateCamera(const Camera& camera);
 void validateImage(const ImageSettings& image);
 
+void validateSamples(int samples);
 /// Numbers and the filter. Technique and memory strategy are the registry's to know, not the scene's.
 void validateShadows(const ShadowSettings& shadows);
 

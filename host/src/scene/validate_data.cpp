@@ -89,8 +89,11 @@ void validateVolumeData(const VolumeData& data, const std::string& what) {
 
 void validateTransferFunction(const TransferFunction& transfer, const std::string& what) {
   requireAscending(transfer.opacity, what + ": opacity");
+  requireAscending(transfer.towardsLights(), what + ": shadow_opacity");
   requireAscending(transfer.color, what + ": color");
   for (const auto& point : transfer.opacity) requireRange(point.opacity, kUnitInterval, what + ": opacity");
+  for (const auto& point : transfer.shadowOpacity)
+    requireRange(point.opacity, kUnitInterval, what + ": shadow_opacity");
   for (const auto& point : transfer.color) {
     for (int channel = 0; channel < 3; ++channel) requireRange(point.color[channel], kNotNegative, what + ": color");
   }

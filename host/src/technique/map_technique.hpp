@@ -37,6 +37,7 @@ class MapTechnique : public ShadowTechnique {
   virtual memory::NodeCounts nodeCounts(std::size_t map) const = 0;
   virtual MemoryStats memoryStats() const = 0;
 
+  device::Device& device() const { return device_; }
   /// Where points land in the maps.
   const device::Buffer<shared::MapData>& maps() const { return maps_; }
   const LightMaps& mapsOf(std::size_t light) const { return lightMaps_[light]; }

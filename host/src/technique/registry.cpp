@@ -10,6 +10,7 @@
 #include "technique/none.hpp"
 #include "technique/shadow_map.hpp"
 #include "technique/shadow_rays.hpp"
+#include "technique/stochastic.hpp"
 
 namespace cdsm::technique {
 
@@ -64,6 +65,7 @@ const std::vector<Entry<ShadowTechnique>>& techniques() {
          return std::make_unique<DeepShadowMap>(device,
                                                 [&memory, settings, &device] { return memory.make(settings, device); });
        }},
+      {"stochastic", [](auto&, auto& device) { return std::make_unique<Stochastic>(device); }},
   };
   return list;
 }

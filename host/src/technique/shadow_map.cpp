@@ -5,7 +5,12 @@ namespace cdsm::technique {
 
 std::vector<shared::MapData> ShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
                                                   std::vector<MapCluster>&) {
-  std::vector<shared::MapData> maps = pass_.run(to.deviceScene, jobs, to.scene.shadows.threshold, to.raster, to.report);
+  const float threshold = to.scene.shadows.threshold;
+  const auto limits =
+      device::Buffer<float>::fromHost(device(), to.deviceScene.opaqueExtinctions(threshold), "opaque extinctions");
+  build::StopRule rule{"\"build/stop_opaque.clh\"", {}, {limits.cl()}};
+  rule.params.threshold = threshold;
+  std::vector<shared::MapData> maps = pass_.run(to.deviceScene, jobs, rule, to.raster, to.report);
   texels_.clear();
   for (const shared::MapData& map : maps) texels_.push_back(std::size_t(map.width) * std::size_t(map.height));
   return maps;

@@ -9,7 +9,7 @@ namespace cdsm::technique {
 
 class ShadowMap : public MapTechnique {
  public:
-  explicit ShadowMap(device::Device& device) : MapTechnique(device), pass_(device) {}
+  explicit ShadowMap(device::Device& device) : MapTechnique(device), pass_(device, 1, 1) {}
 
   build::Defines kernelFiles() const override { return {{"CDSM_TECHNIQUE", "\"technique/shadow_map.clh\""}}; }
   shared::TechniqueParams params(const Scene& scene) const override;

@@ -68,6 +68,7 @@ void ShadowRays::prepare(const Preparation& to) {
   }
   opaqueExtinctions_ = device::Buffer<float>::fromHost(
       device_, to.deviceScene.opaqueExtinctions(to.scene.shadows.threshold), "opaque extinctions");
+  lightExtinctions_ = to.deviceScene.lightExtinctions().cl();
   lightObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, objects, "objects around lights");
 }
 
@@ -86,7 +87,8 @@ shared::TechniqueParams ShadowRays::params(const Scene& scene) const {
 }
 
 device::ArgumentList ShadowRays::arguments() const {
-  return {nodes_.cl(), triangles_.cl(), lightObjects_.cl(), mediumObjects_.cl(), opaqueExtinctions_.cl()};
+  return {nodes_.cl(),         triangles_.cl(),         lightObjects_.cl(),
+          mediumObjects_.cl(), opaqueExtinctions_.cl(), lightExtinctions_};
 }
 
 }  // namespace cdsm::technique

@@ -30,6 +30,7 @@ class ShadowRays : public ShadowTechnique {
   device::Buffer<shared::BvhTriangle> triangles_;
   device::Buffer<std::uint32_t> lightObjects_, mediumObjects_;
   device::Buffer<float> opaqueExtinctions_;
+  cl::Buffer lightExtinctions_;  ///< of the device scene
 };
 
 }  // namespace cdsm::technique

@@ -43,6 +43,8 @@ class ShadowTechnique {
 
   /// Says in `data` which maps light number `light` has.
   virtual void describeLight(std::size_t light, shared::LightData& data) const = 0;
+  /// Differences below which lookups along a camera ray may be interpolated.
+  virtual float lookupTolerance(const Scene& scene) const { return scene.shadows.tolerance; }
   virtual shared::TechniqueParams params(const Scene& scene) const = 0;
   /// Arguments of CDSM_TECHNIQUE_PARAMS behind TechniqueParams.
   virtual device::ArgumentList arguments() const = 0;
