@@ -425,6 +425,80 @@ EXPORTS = [
     usage("maps over the statistics", "'out.exr' is named twice", EXPORT + ["--stats", "out.exr"]),
 ]
 
+COMPARE = ["compare", "scene.toml", "-o", "out", "--quiet", "--runs", "1"]
+COMPARED = ("index.html", "compare.json", "shadow-rays.png", "none.png", "shadow-map_difference.png")
+IN_OUT = tuple(f"out/{name}" for name in COMPARED)
+
+
+def comparison(name, text, files, status=1, arguments=COMPARE, outputs=()):
+    """A comparison beside more files."""
+    return Case(name, text, arguments, files, status, outputs)
+
+
+COMPARISONS = [
+    comparison("a comparison", "", {}, 0, COMPARE, IN_OUT),
+    comparison("a comparison with statistics and a trace", "", {}, 0,
+               COMPARE + ["--stats", "stats.json", "--trace", "trace.json"], IN_OUT + ("stats.json", "trace.json")),
+    comparison("a comparison again", "", {name: b"an earlier result" for name in IN_OUT}, 0, COMPARE, IN_OUT),
+    comparison("a comparison without room for maps", "", {}, 0, COMPARE + ["--set", "shadows.memory_limit_mb=0.001"],
+               IN_OUT),
+    comparison("a comparison of frame 0", "", {"scene.toml": animated(b"'camera.fov'", b"[[0, 40], [9, 50]]")}, 0,
+               COMPARE, IN_OUT),
+    comparison("comparison of no scene", "none.toml: there is no such file", {"out/index.html": b"earlier"}, 1,
+               replaced(COMPARE, "scene.toml", "none.toml")),
+    comparison("comparison of a bad scene", "mesh 'cup' has 3 open edges", {
+        "scene.toml": GOOD_SCENE.replace(b'closed.obj"', b'open.obj"\ninterior_extinction = 1'),
+        "out/index.html": b"earlier"}),
+    comparison("comparison in no folder", "none/out: its folder", {}, 1, replaced(COMPARE, "out", "none/out")),
+    comparison("a file as folder", "points.csv: is a file; name a folder", {}, 1,
+               replaced(COMPARE, "out", "points.csv")),
+    comparison("comparison among other files", "out: holds thesis.tex, which is no part of a result",
+               {"out/thesis.tex": b"work of years"}),
+    comparison("comparison in the scene's folder", ".: holds ", {}, 1, replaced(COMPARE, "out", ".")),
+    comparison("comparison on an unknown device", "no such device", {}, 1, COMPARE + ["--device", "no such device"]),
+    comparison("comparison with statistics in no folder", "none/s.json", {}, 1, COMPARE + ["--stats", "none/s.json"]),
+    usage("comparison to nowhere", "-o is required", ["compare", "scene.toml"]),
+    usage("comparison over the scene", "'scene.toml' is named twice", replaced(COMPARE, "out", "scene.toml")),
+    usage("comparison without runs", "--runs: Value 0 not in range", replaced(COMPARE, "1", "0")),
+]
+
+COMPARE = ["compare", "scene.toml", "-o", "out", "--quiet", "--runs", "1"]
+COMPARED = ("index.html", "compare.json", "shadow-rays.png", "none.png", "shadow-map_difference.png")
+IN_OUT = tuple(f"out/{name}" for name in COMPARED)
+
+
+def comparison(name, text, files, status=1, arguments=COMPARE, outputs=()):
+    """A comparison beside more files."""
+    return Case(name, text, arguments, files, status, outputs)
+
+
+COMPARISONS = [
+    comparison("a comparison", "", {}, 0, COMPARE, IN_OUT),
+    comparison("a comparison with statistics and a trace", "", {}, 0,
+               COMPARE + ["--stats", "stats.json", "--trace", "trace.json"], IN_OUT + ("stats.json", "trace.json")),
+    comparison("a comparison again", "", {name: b"an earlier result" for name in IN_OUT}, 0, COMPARE, IN_OUT),
+    comparison("a comparison without room for maps", "", {}, 0, COMPARE + ["--set", "shadows.memory_limit_mb=0.001"],
+               IN_OUT),
+    comparison("a comparison of frame 0", "", {"scene.toml": animated(b"'camera.fov'", b"[[0, 40], [9, 50]]")}, 0,
+               COMPARE, IN_OUT),
+    comparison("comparison of no scene", "none.toml: there is no such file", {"out/index.html": b"earlier"}, 1,
+               replaced(COMPARE, "scene.toml", "none.toml")),
+    comparison("comparison of a bad scene", "mesh 'cup' has 3 open edges", {
+        "scene.toml": GOOD_SCENE.replace(b'closed.obj"', b'open.obj"\ninterior_extinction = 1'),
+        "out/index.html": b"earlier"}),
+    comparison("comparison in no folder", "none/out: its folder", {}, 1, replaced(COMPARE, "out", "none/out")),
+    comparison("a file as folder", "points.csv: is a file; name a folder", {}, 1,
+               replaced(COMPARE, "out", "points.csv")),
+    comparison("comparison among other files", "out: holds thesis.tex, which is no part of a result",
+               {"out/thesis.tex": b"work of years"}),
+    comparison("comparison in the scene's folder", ".: holds ", {}, 1, replaced(COMPARE, "out", ".")),
+    comparison("comparison on an unknown device", "no such device", {}, 1, COMPARE + ["--device", "no such device"]),
+    comparison("comparison with statistics in no folder", "none/s.json", {}, 1, COMPARE + ["--stats", "none/s.json"]),
+    usage("comparison to nowhere", "-o is required", ["compare", "scene.toml"]),
+    usage("comparison over the scene", "'scene.toml' is named twice", replaced(COMPARE, "out", "scene.toml")),
+    usage("comparison without runs", "--runs: Value 0 not in range", replaced(COMPARE, "1", "0")),
+]
+
 RUNS = [
     Case("output in no folder", "none/out.png", ["render", "scene.toml", "-o", "none/out.png"]),
     Case("a folder as output", ".", ["render", "scene.toml", "-o", "."]),
@@ -476,8 +550,6 @@ USAGE = [
     Case("a suite without its data", "'python3 ./papers/make_data.py' makes it", ["bench", "map-size", "--scenes", "."],
          {"papers/clustering/camera_b.toml": GOOD_SCENE.replace(b"closed.obj", b"../generated/cup.ply")}),
     Case("figures in no folder", "none/out.json", ["bench", "demo", "--json", "none/out.json"]),
-    usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
-    usage("unsupported command with options", "'compare' is not supported yet", ["compare", "scene.toml", "--quiet"]),
 ]
 
 FRAMES = [
@@ -507,5 +579,5 @@ LATER = [
 ] + [scene("unsupported ambient occlusion", "'ambient_occlusion' in the scene is not supported yet", b"[[mesh]]",
            b"[ambient_occlusion]\n[[mesh]]")]
 
-CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + RUNS + VIEWS + USAGE
+CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + COMPARISONS + RUNS + VIEWS + USAGE
          + FRAMES + LATER)
