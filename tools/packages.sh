@@ -18,6 +18,9 @@ libteem-dev             reads NRRD volumes
 libnifti-dev            reads NIfTI volumes
 libopenvdb-dev          reads OpenVDB volumes
 libgdcm-dev             decodes slices of DICOM series
+gemmi-dev               reads PDB and mmCIF molecules, headers alone
+tao-pegtl-dev           the parser in gemmi's headers
+libjxl-dev              judges how different images look, for cdsm compare
 libpugixml-dev          reads VTK image data and XML presets
 libboost-dev            Boost.Geometry: convex hulls of the clustering
 zlib1g-dev              inflates compressed volumes

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Suite "clustering": what clusters gain (error of shadows against shadow rays, as many texels) and cost (frames, the
 // CPU's time, maps built along a camera's path).
-#include <cmath>
 #include <iterator>
 
 #include "bench_camera_path.hpp"
 #include "bench_suites.hpp"
+#include "io/image_difference.hpp"
 
 namespace cdsm::cli {
 namespace {
@@ -18,16 +18,6 @@ constexpr double kWantedFrameRatio = 1.15, kWantedClusterMs = 1.0;
 
 Scene park(const BenchOptions& options, const std::string& camera) {
   return readBenchScene(options, "papers/clustering/camera_" + camera + ".toml");
-}
-
-/// Root mean square over pixels and colours.
-double rmsDifference(const Image& a, const Image& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const glm::dvec3 difference(glm::vec3(a.pixels[i]) - glm::vec3(b.pixels[i]));
-    sum += glm::dot(difference, difference);
-  }
-  return std::sqrt(sum / (3.0 * double(a.pixels.size())));
 }
 
 Row ratioRow(const char* label, const Row& of, const Row& to, std::vector<double> wanted) {
@@ -46,9 +36,9 @@ Table errorTable(const BenchOptions& options) {
     if (options.progress) options.progress("shadow rays, camera " + std::string(camera), 0.0f);
     const Image truth = Subject(options, rays).render();
     Subject subject(options, withMaps(options, scene, 1024, 1, "chunked"));
-    one.ours.push_back(rmsDifference(subject.render(), truth));
+    one.ours.push_back(io::rmsDifference(subject.render(), truth));
     subject.scene() = withMaps(options, scene, 512, 4, "chunked");
-    four.ours.push_back(rmsDifference(subject.render(), truth));
+    four.ours.push_back(io::rmsDifference(subject.render(), truth));
   }
   return {"error",
           "Error of shadows: difference to shadow rays, as many texels",

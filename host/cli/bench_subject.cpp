@@ -2,7 +2,6 @@
 #include "bench_subject.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -15,8 +14,6 @@ namespace {
 
 constexpr int kPartsOfSide = 240;  // 720 x 480 pixels are 3 x 2 of these
 constexpr int kSmallestMap = 8;    // texels per side that a scene may ask for
-constexpr double kLeastMs = 1e-3;  // where noise is more than what is measured; ratios and logarithms need some
-constexpr float kNudge = 1e-5f;    // relative: enough to build maps again, too little to be seen
 
 int scaled(double scale, int side) { return std::max(1, int(std::lround(scale * side))); }
 
@@ -26,19 +23,6 @@ std::string remedyFor(const BenchOptions& options, const std::string& file) {
   if (file.find("/generated/") != std::string::npos) return script("/papers/make_data.py");
   if (file.find("/bench/smoke.nrrd") != std::string::npos) return script("/bench/make_smoke.py");
   return "--scenes must name the folder with demo/, bench/ and papers/";
-}
-
-Scene shrunk(Scene scene) {
-  scene.image.width = 3;
-  scene.image.height = 2;
-  return scene;
-}
-
-Light nudged(Light light, float by) {
-  light.cutoff *= 1.0f + by;
-  if (light.type == LightType::Omni) light.position.x += by * std::max(1.0f, glm::length(light.position));
-  if (light.type == LightType::Directional) light.direction.x += by * glm::length(light.direction);
-  return light;
 }
 
 /// A scene as all suites measure it.
@@ -94,15 +78,9 @@ std::string mapSizeText(const BenchOptions& options, int mapSize, int clusters) 
 Subject::Subject(const BenchOptions& options, Scene scene)
     : engine_(engineOptions(options)), scene_(std::move(scene)) {}
 
-double Subject::renderMs(const Scene& scene) {
-  const auto begun = std::chrono::steady_clock::now();
-  engine_.render(scene);
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-}
-
 double Subject::frameMs() {
   const bool first = engine_.stats().lights.empty();
-  const double milliseconds = renderMs(scene_);
+  const double milliseconds = renderMs(engine_, scene_);
   const bool filled = stats().cache && stats().cache->filled;
   if (!first && (filled || builtMaps(stats()) > 0))
     throw Error("shadows were built in a frame that must be timed without");
@@ -116,19 +94,10 @@ double Subject::frameMs(const std::string& filter) {
 
 double Subject::frameMs(const Camera& camera) {
   scene_.camera = camera;
-  return renderMs(scene_);
+  return renderMs(engine_, scene_);
 }
 
-double Subject::buildMs() {
-  Scene tiny = shrunk(scene_);
-  engine_.render(tiny);
-  const double kept = renderMs(tiny);
-  nudgeLights();
-  tiny.lights = scene_.lights;
-  const double built = renderMs(tiny);
-  if (builtMaps(stats()) < mapCount(stats())) throw Error("maps were kept that must be built to be timed");
-  return std::max(built - kept, kLeastMs);
-}
+double Subject::buildMs() { return cli::buildMs(engine_, scene_, nudged_); }
 
 double Subject::lookupMs(const std::vector<glm::vec3>& points) {
   transmittance(points);
@@ -140,29 +109,11 @@ std::vector<Transmittance> Subject::transmittance(const std::vector<glm::vec3>& 
 }
 
 double Subject::movedLightMs() {
-  nudgeLights();
-  return renderMs(scene_);
-}
-
-void Subject::nudgeLights() {
-  nudged_ = !nudged_;
-  for (Light& light : scene_.lights) light = nudged(light, nudged_ ? kNudge : -kNudge);
+  nudgeLights(scene_, nudged_);
+  return renderMs(engine_, scene_);
 }
 
 void Subject::shrinkImage() { scene_ = shrunk(std::move(scene_)); }
-
-std::size_t mapCount(const FrameStats& stats) {
-  std::size_t count = 0;
-  for (const LightStats& light : stats.lights) count += light.maps.size();
-  return count;
-}
-
-std::size_t builtMaps(const FrameStats& stats) {
-  std::size_t count = 0;
-  for (const LightStats& light : stats.lights)
-    for (const MapStats& map : light.maps) count += map.regenerated;
-  return count;
-}
 
 double nodesMean(const FrameStats& stats) {
   double nodes = 0.0, texels = 0.0;

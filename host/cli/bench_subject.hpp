@@ -10,6 +10,7 @@
 #include <cdsm/cdsm.hpp>
 
 #include "bench_tables.hpp"
+#include "frame_times.hpp"
 
 namespace cdsm::cli {
 
@@ -53,8 +54,7 @@ class Subject {
   /// A frame, whatever it has to build; `camera` from now on.
   double frameMs(const Camera& camera);
 
-  /// Building all maps of all lights: an image of 3 x 2 pixels after all lights were changed by too little to be seen,
-  /// less another one with the maps kept.
+  /// Building all maps of all lights, see frame_times.hpp.
   double buildMs();
 
   /// A frame after all lights were changed by too little to be seen, with all that has to be built for it.
@@ -76,10 +76,6 @@ class Subject {
   const DeviceDescription& device() const { return engine_.device(); }
 
  private:
-  double renderMs(const Scene& scene);
-  /// Back at every other time.
-  void nudgeLights();
-
   Engine engine_;
   Scene scene_;
   bool nudged_ = false;
@@ -88,8 +84,6 @@ class Subject {
 using Subjects = std::vector<std::unique_ptr<Subject>>;
 
 /// Of all maps of all lights.
-std::size_t mapCount(const FrameStats& stats);
-std::size_t builtMaps(const FrameStats& stats);
 double nodesMean(const FrameStats& stats);  ///< per texel, over all of them
 double nodesMax(const FrameStats& stats);
 

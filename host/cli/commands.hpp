@@ -18,6 +18,7 @@ void addDevicesCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addTransmittanceCommand(CLI::App& app);
 void addExportMapCommand(CLI::App& app);
+void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 
 }  // namespace cdsm::cli

@@ -16,18 +16,8 @@ namespace {
 
 using namespace cdsm::cli;
 
-constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand, addRenderCommand, addTransmittanceCommand,
-                                            addExportMapCommand, addBenchCommand};
-
-/// Commands of the contract that this version refuses.
-constexpr const char* kLaterCommands[] = {"compare"};
-
-void addLaterCommand(CLI::App& app, const std::string& name) {
-  CLI::App* command = app.add_subcommand(name)->group("");  // "": not in the help
-  command->allow_extras();
-  command->set_help_flag();
-  command->parse_complete_callback([name] { throw UsageError("'" + name + "' is not supported yet"); });
-}
+constexpr void (*kCommands[])(CLI::App&) = {addDevicesCommand,   addRenderCommand,  addTransmittanceCommand,
+                                            addExportMapCommand, addCompareCommand, addBenchCommand};
 
 int fail(int status, std::string message) {
   for (char& c : message) {
@@ -71,6 +61,5 @@ int main(int argc, char** argv) {
       "cdsm");
   app.require_subcommand(1);
   for (const auto addCommand : kCommands) addCommand(app);
-  for (const char* name : kLaterCommands) addLaterCommand(app, name);
   return run(app, argc, argv);
 }

@@ -35,6 +35,8 @@ std::string settingProblem(const std::string& setting) {
   return setting.find('=') == std::string::npos ? "'" + setting + "' must be KEY=VALUE" : "";
 }
 
+}  // namespace
+
 void writeText(const std::string& path, const std::string& text) {
   io::AtomicFile file(path);
   std::ofstream stream(file.temporaryPath(), std::ios::binary);
@@ -43,8 +45,6 @@ void writeText(const std::string& path, const std::string& text) {
   if (!stream) throw Error(Location{path}, "cannot be written, must be on a disk with space");
   file.commit();
 }
-
-}  // namespace
 
 void addSceneOptions(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.scene, "Scene file (TOML)")->required();

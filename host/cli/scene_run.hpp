@@ -32,6 +32,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options);
 /// result. Empty paths and "-" stand for no file.
 void requireDistinctFiles(const std::vector<std::string>& paths);
 
+/// Writes the whole file or leaves what was there.
+void writeText(const std::string& path, const std::string& text);
+
 /// What happened when, for --trace; keeps nothing unless it is wanted.
 class TraceLog {
  public:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the meshes and volumes of the scenes beside it in the folder generated/, in about half a minute and the
+"""Makes the meshes, volumes and molecules of the scenes beside it in the folder generated/, in about half a minute and the
 same from run to run.
 
 usage: make_data.py [NAME...]    (without names: all that is missing or older than the scripts)
@@ -15,7 +15,7 @@ try:
 except ImportError:
     sys.exit("make_data.py: needs NumPy (Debian: apt-get install python3-numpy)")
 
-from generate import car, fog, meshes, plumes, shapes, spheres, volumes
+from generate import car, fog, meshes, particles, plumes, shapes, spheres, volumes
 
 HERE = pathlib.Path(__file__).resolve().parent
 TARGET = HERE / "generated"
@@ -70,6 +70,15 @@ def coarser(factor):
     return write
 
 
+def million(path):
+    particles.save_xyz(path, "a ball of silver with grains of gold, an octant cut away", *particles.crystal_ball())
+
+
+def virus(path):
+    particles.save_xyz(path, "1IHM, Norwalk virus capsid: 60 copies of its unit",
+                       *particles.capsid(HERE / "data/1ihm.pdb.gz"))
+
+
 RECIPES = {
     "car.ply": scanned("sports_car.ply.gz", 35.0),
     **{f"car_{name}.ply": car_part(name) for name in ("paint", "paint_open", "glass", "tyres", "rims", "trim")},
@@ -89,6 +98,8 @@ RECIPES = {
                        eddy=0.9, spread=0.018, puffs=0.8, seed=8),
     "fog.nrrd": fog_bank,
     "balls.nrrd": ball_volume,
+    "million.xyz.gz": million,
+    "capsid.xyz.gz": virus,
     "torso_256.nrrd": coarser(2),
     "torso_128.nrrd": coarser(4),
 }

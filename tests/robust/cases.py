@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The robustness cases as one table: a name, what is changed of a good scene, what the error must say."""
 import dataclasses
+import gzip
 
 import inputs
 
@@ -352,6 +353,55 @@ MESHES = [
     mesh("unknown mesh format", b"x", "cup.xyz"),
 ]
 
+WITH_SPHERES = GOOD_SCENE + b"[[spheres]]\nname = 'atoms'\nfile = 'atoms.xyz'\nmaterial = 'glass'\n"
+
+
+def molecule(name, text, content, file="atoms.xyz", more=b"", status=1):
+    """The good scene with spheres of a file and more keys."""
+    files = {"scene.toml": WITH_SPHERES.replace(b"atoms.xyz", file.encode()) + more, file: content}
+    return Case(name, text, RENDER, files, status, ("out.png",) if status == 0 else ())
+
+
+MOLECULES = [
+    molecule("atoms", "", inputs.ATOMS_XYZ, status=0),
+    molecule("a PDB entry", "", inputs.pdb("  O"), "atoms.pdb", status=0),
+    molecule("an mmCIF entry", "", inputs.mmcif("2.0"), "atoms.cif", status=0),
+    molecule("packed atoms", "", gzip.compress(inputs.ATOMS_XYZ), "atoms.xyz.gz", status=0),
+    molecule("particles with a radius", "", b"0 0 0\n1 2 3\n", more=b"radius = 0.5", status=0),
+    molecule("particles without a radius", "atoms.xyz:1:1: no element is no known element", b"0 0 0\n1 2 3\n"),
+    molecule("missing molecule", "atoms.xyz: there is no such file", None),
+    molecule("empty molecule", "atoms.xyz: is empty", b""),
+    molecule("unknown molecule format", "is not known as a molecule by its ending", b"x", "atoms.mol2"),
+    molecule("molecule of noise", "atoms.xyz:1:1: ", bytes(range(256)) * 4),
+    molecule("PDB of noise", "atoms.pdb: holds no atoms", bytes(range(256)) * 4, "atoms.pdb"),
+    molecule("mmCIF of noise", "atoms.cif:1:", bytes(range(256)) * 4, "atoms.cif"),
+    molecule("molecule without atoms", "atoms.xyz: holds no atoms", b"0\n\n"),
+    molecule("truncated XYZ", "atoms.xyz:3:1: the file ends after 1 of its 2 atoms", inputs.ATOMS_XYZ[:11]),
+    molecule("XYZ that claims to be huge", "ends after 2 of its 9999999999", b"9999999999" + inputs.ATOMS_XYZ[1:]),
+    molecule("XYZ with too many rows", "more rows than the 2 atoms", inputs.ATOMS_XYZ + b"C 4 5 6\n"),
+    molecule("XYZ with a NaN", "atoms.xyz:4:1: \"nan\" is no coordinate", inputs.ATOMS_XYZ.replace(b"1.0", b"nan")),
+    molecule("XYZ with an infinity", "\"inf\" is no coordinate", inputs.ATOMS_XYZ.replace(b"1.0", b"inf")),
+    molecule("XYZ of an unknown element", "atoms.xyz:4:1: \"Qq\" is no known element",
+             inputs.ATOMS_XYZ.replace(b"C ", b"Qq ")),
+    molecule("truncated packed atoms", "is the file cut short?", gzip.compress(inputs.ATOMS_XYZ)[:-4], "atoms.xyz.gz"),
+    molecule("truncated PDB", "atoms.pdb:2:1: the record of an atom is too short", inputs.pdb("  O")[:60], "atoms.pdb"),
+    molecule("PDB without its end", "atoms.pdb:2:1: an entry with a HEADER has no END", inputs.pdb("  O")[:-4],
+             "atoms.pdb"),
+    molecule("PDB of an unknown element", "atoms.pdb:2:1: \"Q1\" is no known element",
+             inputs.pdb("  Q").replace(b" O  ", b" Q1 "), "atoms.pdb"),
+    molecule("PDB with a NaN", "atoms.pdb:2:31: \"nan\"", inputs.pdb("  O").replace(b"1.000", b"  nan"), "atoms.pdb"),
+    molecule("mmCIF with a NaN", "atoms.cif:8:1: \"nan\" is no coordinate", inputs.mmcif("nan"), "atoms.cif"),
+    molecule("truncated mmCIF", "Wrong number of values", inputs.mmcif("2.0")[:-5], "atoms.cif"),
+    molecule("deeply quoted mmCIF", "atoms.cif", b"data_a\n_b\n;" + b"'" * 100000, "atoms.cif"),
+    molecule("negative radius", "radius is -1, must be at least 0", inputs.ATOMS_XYZ, more=b"radius = -1"),
+    molecule("radius with a NaN", "radius is nan", inputs.ATOMS_XYZ, more=b"radius = nan"),
+    molecule("spheres of no known colour", "unknown color 'red'", inputs.ATOMS_XYZ, more=b"color = 'red'"),
+    molecule("spheres made flat", "scale is an array", inputs.ATOMS_XYZ, more=b"scale = [1, 1, 2]"),
+    molecule("spheres made skew", "must scale all axes alike and leave them at right angles", inputs.ATOMS_XYZ,
+             more=b"matrix = [1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"),
+    molecule("water that is left out", "holds water alone", inputs.pdb("  O"), "atoms.pdb", b"waters = false"),
+]
+
 ANIMATIONS = [
     animation("an animated scene without --frames", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", [], 0, ("out.png",)),
     animation("one frame", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", ["--frames", "7"], 0, ("out.png",)),
@@ -399,6 +449,80 @@ EXPORTS = [
     usage("export of no light", "--light is required", ["export-map", "scene.toml", "-o", "out.exr"]),
     usage("export to no file", "-o is required", ["export-map", "scene.toml", "--light", "key"]),
     usage("maps over the statistics", "'out.exr' is named twice", EXPORT + ["--stats", "out.exr"]),
+]
+
+COMPARE = ["compare", "scene.toml", "-o", "out", "--quiet", "--runs", "1"]
+COMPARED = ("index.html", "compare.json", "shadow-rays.png", "none.png", "shadow-map_difference.png")
+IN_OUT = tuple(f"out/{name}" for name in COMPARED)
+
+
+def comparison(name, text, files, status=1, arguments=COMPARE, outputs=()):
+    """A comparison beside more files."""
+    return Case(name, text, arguments, files, status, outputs)
+
+
+COMPARISONS = [
+    comparison("a comparison", "", {}, 0, COMPARE, IN_OUT),
+    comparison("a comparison with statistics and a trace", "", {}, 0,
+               COMPARE + ["--stats", "stats.json", "--trace", "trace.json"], IN_OUT + ("stats.json", "trace.json")),
+    comparison("a comparison again", "", {name: b"an earlier result" for name in IN_OUT}, 0, COMPARE, IN_OUT),
+    comparison("a comparison without room for maps", "", {}, 0, COMPARE + ["--set", "shadows.memory_limit_mb=0.001"],
+               IN_OUT),
+    comparison("a comparison of frame 0", "", {"scene.toml": animated(b"'camera.fov'", b"[[0, 40], [9, 50]]")}, 0,
+               COMPARE, IN_OUT),
+    comparison("comparison of no scene", "none.toml: there is no such file", {"out/index.html": b"earlier"}, 1,
+               replaced(COMPARE, "scene.toml", "none.toml")),
+    comparison("comparison of a bad scene", "mesh 'cup' has 3 open edges", {
+        "scene.toml": GOOD_SCENE.replace(b'closed.obj"', b'open.obj"\ninterior_extinction = 1'),
+        "out/index.html": b"earlier"}),
+    comparison("comparison in no folder", "none/out: its folder", {}, 1, replaced(COMPARE, "out", "none/out")),
+    comparison("a file as folder", "points.csv: is a file; name a folder", {}, 1,
+               replaced(COMPARE, "out", "points.csv")),
+    comparison("comparison among other files", "out: holds thesis.tex, which is no part of a result",
+               {"out/thesis.tex": b"work of years"}),
+    comparison("comparison in the scene's folder", ".: holds ", {}, 1, replaced(COMPARE, "out", ".")),
+    comparison("comparison on an unknown device", "no such device", {}, 1, COMPARE + ["--device", "no such device"]),
+    comparison("comparison with statistics in no folder", "none/s.json", {}, 1, COMPARE + ["--stats", "none/s.json"]),
+    usage("comparison to nowhere", "-o is required", ["compare", "scene.toml"]),
+    usage("comparison over the scene", "'scene.toml' is named twice", replaced(COMPARE, "out", "scene.toml")),
+    usage("comparison without runs", "--runs: Value 0 not in range", replaced(COMPARE, "1", "0")),
+]
+
+COMPARE = ["compare", "scene.toml", "-o", "out", "--quiet", "--runs", "1"]
+COMPARED = ("index.html", "compare.json", "shadow-rays.png", "none.png", "shadow-map_difference.png")
+IN_OUT = tuple(f"out/{name}" for name in COMPARED)
+
+
+def comparison(name, text, files, status=1, arguments=COMPARE, outputs=()):
+    """A comparison beside more files."""
+    return Case(name, text, arguments, files, status, outputs)
+
+
+COMPARISONS = [
+    comparison("a comparison", "", {}, 0, COMPARE, IN_OUT),
+    comparison("a comparison with statistics and a trace", "", {}, 0,
+               COMPARE + ["--stats", "stats.json", "--trace", "trace.json"], IN_OUT + ("stats.json", "trace.json")),
+    comparison("a comparison again", "", {name: b"an earlier result" for name in IN_OUT}, 0, COMPARE, IN_OUT),
+    comparison("a comparison without room for maps", "", {}, 0, COMPARE + ["--set", "shadows.memory_limit_mb=0.001"],
+               IN_OUT),
+    comparison("a comparison of frame 0", "", {"scene.toml": animated(b"'camera.fov'", b"[[0, 40], [9, 50]]")}, 0,
+               COMPARE, IN_OUT),
+    comparison("comparison of no scene", "none.toml: there is no such file", {"out/index.html": b"earlier"}, 1,
+               replaced(COMPARE, "scene.toml", "none.toml")),
+    comparison("comparison of a bad scene", "mesh 'cup' has 3 open edges", {
+        "scene.toml": GOOD_SCENE.replace(b'closed.obj"', b'open.obj"\ninterior_extinction = 1'),
+        "out/index.html": b"earlier"}),
+    comparison("comparison in no folder", "none/out: its folder", {}, 1, replaced(COMPARE, "out", "none/out")),
+    comparison("a file as folder", "points.csv: is a file; name a folder", {}, 1,
+               replaced(COMPARE, "out", "points.csv")),
+    comparison("comparison among other files", "out: holds thesis.tex, which is no part of a result",
+               {"out/thesis.tex": b"work of years"}),
+    comparison("comparison in the scene's folder", ".: holds ", {}, 1, replaced(COMPARE, "out", ".")),
+    comparison("comparison on an unknown device", "no such device", {}, 1, COMPARE + ["--device", "no such device"]),
+    comparison("comparison with statistics in no folder", "none/s.json", {}, 1, COMPARE + ["--stats", "none/s.json"]),
+    usage("comparison to nowhere", "-o is required", ["compare", "scene.toml"]),
+    usage("comparison over the scene", "'scene.toml' is named twice", replaced(COMPARE, "out", "scene.toml")),
+    usage("comparison without runs", "--runs: Value 0 not in range", replaced(COMPARE, "1", "0")),
 ]
 
 RUNS = [
@@ -452,8 +576,6 @@ USAGE = [
     Case("a suite without its data", "'python3 ./papers/make_data.py' makes it", ["bench", "map-size", "--scenes", "."],
          {"papers/clustering/camera_b.toml": GOOD_SCENE.replace(b"closed.obj", b"../generated/cup.ply")}),
     Case("figures in no folder", "none/out.json", ["bench", "demo", "--json", "none/out.json"]),
-    usage("unsupported command", "'compare' is not supported yet", ["compare", "scene.toml", "-o", "out"]),
-    usage("unsupported command with options", "'compare' is not supported yet", ["compare", "scene.toml", "--quiet"]),
 ]
 
 FRAMES = [
@@ -479,7 +601,8 @@ LATER = [
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",
     )
-] + [scene("unsupported spheres", "'spheres' in the scene is not supported yet", b"[[mesh]]", b"[[spheres]]\n[[mesh]]")]
+] + [scene("unsupported ambient occlusion", "'ambient_occlusion' in the scene is not supported yet", b"[[mesh]]",
+           b"[ambient_occlusion]\n[[mesh]]")]
 
-CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + QUERIES + EXPORTS + RUNS + VIEWS + USAGE
+CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + COMPARISONS + RUNS + VIEWS + USAGE
          + FRAMES + LATER)

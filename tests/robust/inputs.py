@@ -42,5 +42,20 @@ def vti(extent, data, components=1, section="PointData"):
             f"</DataArray></{section}></Piece></ImageData></VTKFile>\n").encode()
 
 
+ATOMS_XYZ = b"2\n\nN 0 0 0\nC 1.0 2 3\n"
+
+
+def pdb(element):
+    """An entry with one atom of water."""
+    atom = "HETATM    1  O   HOH A   1       1.000   2.000   3.000  1.00  0.00         " + element
+    return f"HEADER    TEST\n{atom}\nEND\n".encode()
+
+
+def mmcif(x):
+    """An entry with two atoms, one a line."""
+    tags = "".join(f"_atom_site.{tag}\n" for tag in ("type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"))
+    return f"data_TEST\nloop_\n{tags}N 0 0 0\nC {x} 2 3.25\n".encode()
+
+
 GRID_VTI = vti("0 3 0 3 0 3", " ".join(map(str, range(64))))
 PRESET = b'{"ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 1, 63, 1, 0, 0], "Points": [0, 0, 0.5, 0, 63, 0.5, 0.5, 0]}'

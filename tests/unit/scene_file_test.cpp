@@ -320,7 +320,7 @@ TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
       {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
-      {"[[spheres]]\nname = 'x'\n", "scene.toml:1:1: 'spheres' in the scene is not supported yet"},
+      {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
   });
 }
 
@@ -363,7 +363,7 @@ TEST_F(SceneFile, NamesTheOverrideThatIsWrong) {
       {"image.a.width=3", "the key must have the form image.KEY"},
       {"light.fill.name=key", "light 'key' is already in line 2"},
       {"animate.x.key=3", "'animate' has no dotted keys, its tables must be changed in the scene file"},
-      {"spheres.x.radius=3", "'spheres' is not supported yet"},
+      {"ambient_occlusion.directions=3", "'ambient_occlusion' is not supported yet"},
       {"width", "must be KEY=VALUE"},
       {"width=3", "must be KEY=VALUE with a dotted KEY"},
       {"=", "must be KEY=VALUE"},

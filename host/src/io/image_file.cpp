@@ -36,14 +36,6 @@ std::uint8_t srgbByte(float linear) {
   return static_cast<std::uint8_t>(std::lround(255.0 * srgbOfLinear(x)));
 }
 
-std::vector<std::uint8_t> srgbPixels(const Image& image) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels.size() * 3);
-  for (const glm::vec4& pixel : image.pixels)
-    for (int channel = 0; channel < 3; ++channel) bytes.push_back(srgbByte(pixel[channel]));
-  return bytes;
-}
-
 void checkImage(const std::string& path, const Image& image) {
   if (image.width < 1 || image.height < 1 ||
       image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
@@ -82,6 +74,14 @@ Image toImage(const OIIO::ImageSpec& spec, const std::vector<float>& values, For
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> srgbPixels(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const glm::vec4& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel) bytes.push_back(srgbByte(pixel[channel]));
+  return bytes;
+}
 
 void writeImage(const std::string& path, const Image& image) {
   const Format format = formatOf(path);

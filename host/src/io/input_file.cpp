@@ -151,6 +151,21 @@ std::string readText(const std::string& path, std::uint64_t most) {
   return text;
 }
 
+std::string readUnpackedText(const std::string& path) {
+  if (!hasEnding(path, ".gz")) return readText(path);
+  inputFileSize(path);
+  Inflater inflater(DataBlock{path, DataBlock::Encoding::Deflated, 0, 0});
+  std::string text;
+  for (std::size_t read = kPiece; read == kPiece;) {
+    const std::size_t before = text.size();
+    text.resize(before + kPiece);
+    read = inflater.read(reinterpret_cast<std::byte*>(text.data()) + before, kPiece);
+    text.resize(before + read);
+  }
+  if (!inflater.complete()) throw Error(Location{path}, "the compressed data end too early; is the file cut short?");
+  return text;
+}
+
 std::string besideHeader(const std::string& header, const std::string& name) {
   return (std::filesystem::path(header).parent_path() / name).string();
 }

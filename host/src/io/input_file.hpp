@@ -22,6 +22,9 @@ std::uint64_t inputFileSize(const std::string& path);
 /// The first `most` bytes of the file, or all of them if there are fewer.
 std::string readText(const std::string& path, std::uint64_t most = UINT64_MAX);
 
+/// The whole file, unpacked if its name ends in .gz. Throws Error where compressed data are damaged or cut short.
+std::string readUnpackedText(const std::string& path);
+
 /// `name` as it stands in the header file `header`: relative to the header's folder unless absolute.
 std::string besideHeader(const std::string& header, const std::string& name);
 

@@ -90,6 +90,8 @@ Scene readTree(const toml::table& tree, AssetCache& assets) {
   readAll(root, "mesh", scene.meshes, [&](const toml::table& table) { return readMeshTable(table, scene, assets); });
   readAll(root, "volume", scene.volumes,
           [&](const toml::table& table) { return readVolumeTable(table, scene, assets); });
+  readAll(root, "spheres", scene.spheres,
+          [&](const toml::table& table) { return readSpheresTable(table, scene, assets); });
   return scene;
 }
 

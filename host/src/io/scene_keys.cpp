@@ -97,6 +97,20 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
       {"casts_shadow", KeyShape::Flag},
       {"receives_shadow", KeyShape::Flag},
       {"cluster_weight", KeyShape::Number}}},
+    {"spheres",
+     {{"name", KeyShape::Text},
+      {"file", KeyShape::Text},
+      {"radius", KeyShape::Number},
+      {"color", KeyShape::Vector},
+      {"waters", KeyShape::Flag},
+      {"material", KeyShape::Text},
+      {"position", KeyShape::Vector},
+      {"rotation", KeyShape::Rotation},
+      {"scale", KeyShape::Number},
+      {"matrix", KeyShape::Matrix},
+      {"casts_shadow", KeyShape::Flag},
+      {"receives_shadow", KeyShape::Flag},
+      {"cluster_weight", KeyShape::Number}}},
 };
 
 }  // namespace

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // [[light]], [[material]], [[mesh]] and [[volume]] of a scene file.
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "io/mesh_file.hpp"
+#include "io/object_keys.hpp"
 #include "io/preset_file.hpp"
 #include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "io/spelling.hpp"
-#include "io/volume_file.hpp"
 #include "scene/light_names.hpp"
 #include "scene/range.hpp"
-#include "scene/transform.hpp"
 #include "scene/validate.hpp"
 
 namespace cdsm::io {
 namespace {
-
-namespace fs = std::filesystem;
 
 const Choices kLightTypes{{"spot", "omni", "directional"}, {}};
 
@@ -31,70 +26,6 @@ const std::vector<std::pair<const char*, std::vector<LightType>>> kTypedLightKey
     {"target", {LightType::Spot}},
     {"cutoff", {LightType::Spot}},
     {"direction", {LightType::Directional}}};
-
-/// Reads through `cache`, where names that lead to the same file, and to the same `part` of it, share an entry.
-template <typename Data, typename Read>
-std::shared_ptr<const Data> readOnce(std::map<AssetKey, std::shared_ptr<const Data>>& cache, const std::string& folder,
-                                     const std::string& file, const std::string& part, Read read) {
-  const fs::path path = fs::path(folder) / file;
-  std::error_code failed;
-  const fs::path canonical = fs::weakly_canonical(path, failed);
-  std::shared_ptr<const Data>& entry = cache[{failed ? path.string() : canonical.string(), part}];
-  if (!entry) entry = read(path.string());
-  return entry;
-}
-
-std::string requiredText(const TableReader& reader, const char* key) {
-  reader.require(key);
-  const std::string text = reader.text(key, "");
-  if (text.empty()) reader.fail(key, std::string(key) + " is empty, must not be");
-  return text;
-}
-
-/// The index of the object that the key names.
-template <typename Object>
-int indexOf(const TableReader& reader, const char* key, const std::vector<Object>& objects, const char* kind) {
-  const std::string wanted = reader.text(key, "");
-  std::vector<std::string> names;
-  for (const Object& object : objects) {
-    if (object.name == wanted) return static_cast<int>(names.size());
-    names.push_back(object.name);
-  }
-  reader.fail(key, std::string("unknown ") + kind + " '" + wanted + "'" + suggestion(wanted, names));
-}
-
-glm::mat4 readMatrix(const TableReader& reader) {
-  for (const char* part : {"position", "rotation", "scale"}) {
-    if (reader.has(part)) reader.fail("matrix", std::string("matrix and ") + part + " are given, must be one of them");
-  }
-  const std::vector<float> rows = reader.numbers("matrix", 16, scene::kCoordinate);
-  glm::mat4 matrix;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) matrix[column][row] = rows[4 * row + column];
-  }
-  return matrix;
-}
-
-glm::vec3 readScale(const TableReader& reader) {
-  if (reader.has("scale") && reader.table().get("scale")->is_array()) {
-    return reader.vector("scale", glm::vec3(1.0f), scene::kCoordinate);
-  }
-  return glm::vec3(reader.number("scale", 1.0f, scene::kCoordinate));
-}
-
-glm::mat4 readTransform(const TableReader& reader) {
-  if (reader.has("matrix")) return readMatrix(reader);
-  const glm::vec3 position = reader.vector("position", glm::vec3(0.0f), scene::kCoordinate);
-  const glm::vec3 scale = readScale(reader);
-  if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f) reader.fail("scale", "scale is 0, must not be");
-  if (!reader.has("rotation")) return scene::composeTransform(position, glm::vec3(0.0f), 0.0f, scale);
-  const std::vector<float> rotation = reader.numbers("rotation", 4, scene::kCoordinate);
-  const glm::vec3 axis(rotation[0], rotation[1], rotation[2]);
-  if (axis == glm::vec3(0.0f) && rotation[3] != 0.0f) {
-    reader.fail("rotation", "rotation has an axis without length, must be [axis x, y, z, angle] with a direction");
-  }
-  return scene::composeTransform(position, axis, rotation[3], scale);
-}
 
 std::optional<std::pair<double, double>> readRange(const TableReader& reader) {
   if (!reader.has("range")) return std::nullopt;
@@ -134,14 +65,6 @@ TransferFunction readTransferFunction(const TableReader& reader, const AssetCach
   return transfer;
 }
 
-ShadowRole readShadowRole(const TableReader& reader) {
-  ShadowRole role;
-  role.casts = reader.flag("casts_shadow", role.casts);
-  role.receives = reader.flag("receives_shadow", role.receives);
-  role.weight = reader.number("cluster_weight", role.weight, scene::kClusterWeight);
-  return role;
-}
-
 LightType readLightType(const TableReader& reader) {
   const std::string name = reader.choice("type", "spot", kLightTypes);
   for (const LightType type : {LightType::Omni, LightType::Directional})
@@ -164,17 +87,6 @@ void refuseKeysOfOtherTypes(const TableReader& reader, LightType type) {
 }
 
 }  // namespace
-
-std::string AssetCache::pathOf(const std::string& file) const { return (fs::path(folder_) / file).string(); }
-
-std::shared_ptr<const MeshData> AssetCache::mesh(const std::string& file) {
-  return readOnce(meshes_, folder_, file, "", [](const std::string& path) { return readMesh(path); });
-}
-
-std::shared_ptr<const VolumeData> AssetCache::volume(const std::string& file, const VolumePart& part) {
-  return readOnce(volumes_, folder_, file, part.grid + part.array,
-                  [&](const std::string& path) { return readVolume(path, part); });
-}
 
 Light readLight(const toml::table& table) {
   const TableReader reader(table, "[[light]]", keyNamesOf("light"));

@@ -2,6 +2,7 @@
 // The parts of a scene file, one function per table; scene_file.cpp puts them together.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,8 @@
 
 #include <cdsm/scene.hpp>
 
+#include "io/molecule_file.hpp"
+#include "io/sphere_look.hpp"
 #include "io/toml_reader.hpp"
 #include "io/volume_file.hpp"
 #include "scene/data_checks.hpp"
@@ -20,7 +23,7 @@ namespace cdsm::io {
 /// A file, and what of it.
 using AssetKey = std::pair<std::string, std::string>;
 
-/// Mesh and volume files by what they really are on disk: each is read once.
+/// Mesh, volume and molecule files by what they really are on disk: each is read once.
 class AssetCache {
  public:
   /// `folder` is what relative names start from: the scene file's.
@@ -31,6 +34,8 @@ class AssetCache {
 
   std::shared_ptr<const MeshData> mesh(const std::string& file);
   std::shared_ptr<const VolumeData> volume(const std::string& file, const VolumePart& part);
+  /// The same data as long as they are in use for a file and a look, which may change from frame to frame.
+  std::shared_ptr<const SphereData> spheres(const std::string& file, const SphereLook& look);
 
   /// Of these files' data.
   scene::DataChecks& checks() { return checks_; }
@@ -39,6 +44,8 @@ class AssetCache {
   std::string folder_;
   std::map<AssetKey, std::shared_ptr<const MeshData>> meshes_;
   std::map<AssetKey, std::shared_ptr<const VolumeData>> volumes_;
+  std::map<AssetKey, std::shared_ptr<const Molecule>> molecules_;
+  std::map<std::pair<const Molecule*, std::array<float, 6>>, std::weak_ptr<const SphereData>> spheres_;  ///< by look
   scene::DataChecks checks_;
 };
 
@@ -52,5 +59,7 @@ Material readMaterial(const toml::table& table);
 Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& assets);
 /// `scene` has its meshes.
 Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache& assets);
+/// `scene` has its materials.
+Spheres readSpheresTable(const toml::table& table, const Scene& scene, AssetCache& assets);
 
 }  // namespace cdsm::io

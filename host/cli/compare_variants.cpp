@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_variants.hpp"
+
+namespace cdsm::cli {
+namespace {
+
+constexpr auto kTechnique = &ShadowSettings::technique;
+constexpr auto kRays = &ShadowSettings::rays;
+
+}  // namespace
+
+/// The first one is the reference.
+const std::vector<ShadowVariant>& shadowVariants() {
+  static const std::vector<ShadowVariant> variants{
+      {"shadow-rays",
+       "a ray to the light for each sample, exact up to its steps",
+       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "exact"}}},
+      {"none", "all is lit", {{"technique", kTechnique, "none"}}},
+      {"shadow-rays-opaque",
+       "the first sample above the threshold stops all light",
+       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "opaque"}}},
+      {"shadow-map", "the depth of the first opaque hit in each texel", {{"technique", kTechnique, "shadow-map"}}},
+      {"deep-shadow-map",
+       "the light that is left at each depth, compressed",
+       {{"technique", kTechnique, "deep-shadow-map"}}},
+  };
+  return variants;
+}
+
+const ShadowVariant& referenceVariant() { return shadowVariants().front(); }
+
+ShadowSettings ShadowVariant::applied(ShadowSettings shadows) const {
+  for (const ShadowSetting& setting : settings) shadows.*setting.member = setting.value;
+  return shadows;
+}
+
+std::string ShadowVariant::options() const {
+  std::string text;
+  for (const ShadowSetting& setting : settings)
+    text += (text.empty() ? "" : " ") + std::string("--set shadows.") + setting.key + "=" + setting.value;
+  return text;
+}
+
+std::set<std::string> comparisonFiles() {
+  std::set<std::string> names{"index.html", "compare.json"};
+  for (const ShadowVariant& variant : shadowVariants()) names.insert({pictureName(variant), differenceName(variant)});
+  return names;
+}
+
+}  // namespace cdsm::cli

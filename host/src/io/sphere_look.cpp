@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Radii and colours of atoms; see sphere_look.hpp.
+#include "io/sphere_look.hpp"
+
+#include <algorithm>
+
+#include <cdsm/error.hpp>
+
+namespace cdsm::io {
+namespace {
+
+bool hasElements(const Molecule& molecule) {
+  return std::any_of(molecule.atoms.begin(), molecule.atoms.end(),
+                     [](const Atom& atom) { return atom.element != kUnknownElement; });
+}
+
+}  // namespace
+
+std::array<float, 6> SphereLook::key() const {
+  const glm::vec3 rgb = color.value_or(glm::vec3(0.0f));
+  return {radius, waters ? 1.0f : 0.0f, color ? 1.0f : 0.0f, rgb.r, rgb.g, rgb.b};
+}
+
+std::shared_ptr<const SphereData> makeSpheres(const Molecule& molecule, const SphereLook& look) {
+  if (look.radius == 0.0f && molecule.unknown)
+    throw Error(molecule.unknown->place, molecule.unknown->name + " is no known element, which has a van der Waals " +
+                                             "radius; the scene must give a 'radius' for all");
+  auto spheres = std::make_shared<SphereData>();
+  const bool colored = look.color || hasElements(molecule);
+  for (const Atom& atom : molecule.atoms) {
+    if (atom.water && !look.waters) continue;
+    spheres->centers.push_back(atom.position);
+    spheres->radii.push_back(look.radius > 0.0f ? look.radius : vanDerWaalsRadius(atom.element));
+    if (colored) spheres->colors.push_back(look.color ? *look.color : elementColor(atom.element));
+  }
+  if (spheres->centers.empty()) throw Error("the file holds water alone, which waters = false leaves out");
+  return spheres;
+}
+
+}  // namespace cdsm::io
