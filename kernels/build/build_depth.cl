@@ -59,7 +59,7 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
       hit = segmentHit(&ray, &walk, depth, opaqueExtinctions, scene CDSM_VOLUME_ARGS);
-    float opacity = scene.objects[scene.triangles[nextFacing(&walk) >> 1].w].diffuse.w;
+    float opacity = scene.objects[surfaceObject(scene, nextFacing(&walk))].diffuse.w;
     if (isinf(hit) && opacity > params.threshold) hit = depth;
     passFragment(&walk, scene);
   }

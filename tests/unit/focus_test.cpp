@@ -189,7 +189,7 @@ TEST(Focus, RectanglesAreTight) {
       const glm::dvec3 u = std::cos(angle) * frame.right + std::sin(angle) * frame.down, v = glm::cross(frame.axis, u);
       glm::dvec2 low(INFINITY), high(-INFINITY);
       for (const unsigned object : objects)
-        for (const glm::dvec3& p : hullPoints(scene, object)) {
+        for (const glm::dvec3& p : hullPoints(scene, shapesOf(scene)[object])) {
           low = glm::min(low, glm::dvec2(glm::dot(u, p), glm::dot(v, p)));
           high = glm::max(high, glm::dvec2(glm::dot(u, p), glm::dot(v, p)));
         }

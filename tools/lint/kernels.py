@@ -38,6 +38,8 @@ def files_with(folder, text):
 CHOICES = {
     "CDSM_TECHNIQUE": files_with("technique", "#define CDSM_TECHNIQUE_PARAMS"),
     "CDSM_MARCH": files_with("build", "void beginMarch("),
+    "CDSM_PRIMITIVE": files_with("build", "Coverage coverageOf("),
+    "CDSM_SPHERES": ["0", "1"],
     "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_VOXEL": ["uchar", "char", "ushort", "short", "float"],
     "CDSM_BATCH": ["4", "8"],
@@ -93,7 +95,7 @@ def variants(entry, chosen=None):
         text += (KERNELS / path).read_text()
     wanted = [name for name in CHOICES
               if name not in chosen and (name in seen or re.search(rf"\b{re.escape(name)}\b(?!\.)", text))]
-    includes = [name for name in wanted if name in ("CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY")]
+    includes = [name for name in wanted if name in ("CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_MEMORY", "CDSM_PRIMITIVE")]
     if not wanted:
         yield chosen
         return
