@@ -53,8 +53,10 @@ void finishFragments(FragmentList* list) {
   sortKeys(list->keys, kept);
 }
 
-/// Fragments of each bit of an owner's mask.
-CDSM_INLINE uint fragmentsPerBit(uint owner) { return (owner & CDSM_TWICE_BIT) ? 2u : 1u; }
+/// Fragments that a pair gives a pixel at most. Without branches: loops over all pairs of a tile become vectors.
+CDSM_INLINE uint fragmentsOf(ulong mask, uint owner, uint pixel) {
+  return ((uint)(mask >> pixel) & 1u) << (owner / CDSM_TWICE_BIT & 1u);
+}
 
 /// A group per tile, an item per pixel. A pixel's range: `initialCount` slots for the objects that contain the eye (used
 /// by segments.clh for its list of entered objects), then its fragments. ranges[pixel] = (first slot, fragments).
@@ -67,7 +69,7 @@ __kernel void sortFragments(ViewData view, __global const ScreenTriangle* screen
   uint firstPair = tileStart[tile], lastPair = tileStart[tile + 1];
   ulong bit = 1UL << pixel;
   uint left = 0;
-  for (uint i = firstPair; i < lastPair; ++i) left += (masks[i] & bit) ? fragmentsPerBit(owners[i]) : 0u;
+  for (uint i = firstPair; i < lastPair; ++i) left += fragmentsOf(masks[i], owners[i], pixel);
   counts[pixel] = left;
   barrier(CLK_LOCAL_MEM_FENCE);
 
@@ -80,7 +82,7 @@ __kernel void sortFragments(ViewData view, __global const ScreenTriangle* screen
   for (uint i = firstPair; i < lastPair && left > 0; ++i) {
     if (!(masks[i] & bit)) continue;
     uint owner = owners[i];
-    left -= fragmentsPerBit(owner);
+    left -= fragmentsOf(masks[i], owner, pixel);
     if (owner & CDSM_SPHERE_BIT) {
       addSphere(&list, &view, &ray, &spheres[owner & ~(CDSM_SPHERE_BIT | CDSM_TWICE_BIT)]);
     } else {

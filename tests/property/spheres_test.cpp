@@ -127,7 +127,10 @@ TEST_P(SphereForms, thatCastNoShadowLetAllPass) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SphereForms, ::testing::Range<std::size_t>(0, spherePaths().size()),
-                         [](const auto& instance) { return spherePaths()[instance.param].name(); });
+                         [](const auto& instance) {
+                           const Path path = spherePaths()[instance.param];
+                           return path.name() + (isOpaque(path) ? path.filter : "");
+                         });
 
 /// A million spheres are spheres like others: through the gaps of a lattice all light passes, through a sphere none.
 TEST(Spheres, aMillionOfThemInALattice) {

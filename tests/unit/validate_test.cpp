@@ -210,7 +210,7 @@ TEST(Validate, Spheres) {
       {"cannot be inverted", with([](Spheres& s, SphereData&) { s.worldFromObject[1] = glm::vec4(0.0f); })},
       {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][1] = 1.01f; })},
       {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][0] = 0.01f; })},
-      {"its highest coordinate in the world is 2e+09", with([](Spheres&, SphereData& d) { d.radii[0] = 2e9f; })},
+      {"its lowest coordinate in the world is -2e+09", with([](Spheres&, SphereData& d) { d.radii[0] = 2e9f; })},
   });
   EXPECT_EQ(complaint(with([](Spheres& s, SphereData&) {
               s.worldFromObject = scene::composeTransform({1, 2, 3}, {1, 1, 0}, 33.0f, glm::vec3(-2.0f));
