@@ -21,7 +21,7 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
       stopInSegment(&stop, &ray, &walk, depth, scene CDSM_STOP_ARGS CDSM_VOLUME_ARGS);
-    float opacity = scene.objects[scene.triangles[nextFacing(&walk) >> 1].w].diffuse.w;
+    float opacity = scene.objects[surfaceObject(scene, nextFacing(&walk))].diffuse.w;
     if (!isStopped(&stop)) stopAtSurface(&stop, depth, opacity);
     passFragment(&walk, scene);
   }

@@ -18,7 +18,7 @@ CDSM_INLINE void buildTexel(const BuildParams* params, int x, int y, uint2 range
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
       marchSegment(&r, scene, &walk, depth, params->interiorStep CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
-    float opacity = scene.objects[scene.triangles[nextFacing(&walk) >> 1].w].diffuse.w;
+    float opacity = scene.objects[surfaceObject(scene, nextFacing(&walk))].diffuse.w;
     if (opacity > 0.0f && r.transmittance > 0.0f) {
       r.transmittance *= 1.0f - opacity;
       if (r.transmittance < r.least) r.transmittance = 0.0f;

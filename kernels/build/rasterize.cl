@@ -1,201 +1,95 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles of all objects -> (coverage mask, triangle) pairs in exactly sized lists, one per 8x8 tile of the view
+// Triangles or spheres on the screen -> (coverage mask, owner) pairs in exactly sized lists, one per 8x8 tile of the view
 // [Knecht 2011, §3.1.1, §4.1.1]. The thesis's chunks of 64 pairs are replaced by counting first: no limit per tile.
-// setupTriangles -> countPairs -> (scan) -> fillPairs; the two last run once per triangle and once per large triangle.
-#include "common/affine.clh"
+// countPairs -> (scan) -> fillPairs, each once for small primitives and once for large ones. CDSM_PRIMITIVE: what they
+// are, ScreenPrimitive and its Coverage.
+#include CDSM_PRIMITIVE
 #include "build/coverage.clh"
+#include "build/screen_slot.clh"
+#include "common/inline.clh"
 
-/// A corner on its way to the screen: xy = pixel * w, z = depth, w as ViewData says; nearer is smaller depth.
-float4 cornerInView(const ViewData* view, float3 pointWorld) {
-  return (float4)(dot(view->pixelU.xyz, pointWorld) + view->pixelU.w, dot(view->pixelV.xyz, pointWorld) + view->pixelV.w,
-                  dot(view->depth.xyz, pointWorld) + view->depth.w, dot(view->pixelW.xyz, pointWorld) + view->pixelW.w);
-}
-
-/// Distance to clip plane k, >= 0 inside: 0 near, 1-4 the guard band around the screen, where fixed point would end.
-float clipDistance(float4 corner, int k, const ViewData* view) {
-  switch (k) {
-    case 0: return corner.z - view->nearDepth;
-    case 1: return corner.x + CDSM_GUARD_PIXELS * corner.w;
-    case 2: return (CDSM_GUARD_PIXELS + (float)view->width) * corner.w - corner.x;
-    case 3: return corner.y + CDSM_GUARD_PIXELS * corner.w;
-    default: return (CDSM_GUARD_PIXELS + (float)view->height) * corner.w - corner.y;
-  }
-}
-
-/// Sutherland-Hodgman against one plane; `polygon` has room for 9 corners, returns the new number of corners. An edge is
-/// always cut from its inner to its outer end, so that both triangles at the edge get the same new corner. A triangle and
-/// five planes make 8 corners; more could only come of rounding in polygons that lie in a plane, whose area is 0.
-int clipPolygon(float4* polygon, int count, int plane, const ViewData* view) {
-  float4 clipped[9];
-  int kept = 0;
-  for (int i = 0; i < count && kept < 8; ++i) {
-    float4 p = polygon[i], q = polygon[i + 1 < count ? i + 1 : 0];
-    float dp = clipDistance(p, plane, view), dq = clipDistance(q, plane, view);
-    if (dp >= 0.0f) clipped[kept++] = p;
-    if (dp >= 0.0f && dq < 0.0f) clipped[kept++] = p + (q - p) * (dp / (dp - dq));
-    if (dp < 0.0f && dq >= 0.0f) clipped[kept++] = q + (p - q) * (dq / (dq - dp));
-  }
-  for (int i = 0; i < kept; ++i) polygon[i] = clipped[i];
-  return kept;
-}
-
-int2 screenPoint(float4 corner) {
-  return convert_int2_rte(corner.xy / corner.w * (float)CDSM_SUBPIXELS);
-}
-
-long twiceArea(int2 a, int2 b, int2 c) {
-  return ((long)b.x - a.x) * ((long)c.y - a.y) - ((long)b.y - a.y) * ((long)c.x - a.x);
-}
-
-/// Writes one screen triangle if it covers a pixel centre. Slots are handed out in any order: fragments are sorted by
-/// depth and triangle number later, a slot's number never reaches a result.
-void emitScreenTriangle(const ViewData* view, ScreenTriangle t, __global ScreenTriangle* screen, uint capacity,
-                        __global RasterCounters* counters, __global uint* large) {
-  long area = twiceArea(t.a, t.b, t.c);
-  if (area == 0) return;
-  int4 box = coveredPixels(t.a, t.b, t.c, view->width, view->height);
-  if (box.z < box.x || box.w < box.y) return;
-  if (area < 0) {
-    int2 swap = t.b;
-    t.b = t.c;
-    t.c = swap;
-  } else {
-    t.facing |= 1u;  // counter-clockwise on a screen whose y points down: seen from behind
-  }
-  uint slot = atomic_inc(&counters->screenTriangles);
-  if (slot >= capacity) return;  // the host sees the count, makes room and repeats
-  screen[slot] = t;
-  int tiles = ((box.z >> 3) - (box.x >> 3) + 1) * ((box.w >> 3) - (box.y >> 3) + 1);
-  if (tiles > CDSM_LARGE_TILES) large[atomic_inc(&counters->largeTriangles)] = slot;
-}
-
-/// A work item per scene triangle: to the screen, clipped, as one or more screen triangles.
-__kernel void setupTriangles(SetupParams params, ViewData view, __global const uint4* triangles,
-                             __global const float* positions, __global const ObjectData* objects,
-                             __global ScreenTriangle* screen, __global RasterCounters* counters,
-                             __global uint* large) {
-  if (get_global_id(0) >= params.triangleCount) return;
-  uint id = params.firstTriangle + (uint)get_global_id(0);
-  uint4 corners = triangles[id];
-  Affine worldFromObject = objects[corners.w].worldFromObject;
-  float3 a = transformPoint(worldFromObject, vload3(corners.x, positions));
-  float3 b = transformPoint(worldFromObject, vload3(corners.y, positions));
-  float3 c = transformPoint(worldFromObject, vload3(corners.z, positions));
-  float4 polygon[9];
-  polygon[0] = cornerInView(&view, a);
-  polygon[1] = cornerInView(&view, b);
-  polygon[2] = cornerInView(&view, c);
-
-  int count = 3;
-  for (int plane = 0; plane < 5; ++plane) {
-    bool inside = true;
-    for (int i = 0; i < count; ++i) inside = inside && clipDistance(polygon[i], plane, &view) >= 0.0f;
-    if (!inside) count = clipPolygon(polygon, count, plane, &view);
-  }
-  if (count < 3) return;
-
-  ScreenTriangle t;
-  float3 normal = cross(b - a, c - a);
-  t.plane = (float4)(normal, dot(normal, a - view.origin.xyz));
-  t.minDepth = polygon[0].z;
-  t.maxDepth = polygon[0].z;
-  for (int i = 1; i < count; ++i) {
-    t.minDepth = min(t.minDepth, polygon[i].z);
-    t.maxDepth = max(t.maxDepth, polygon[i].z);
-  }
-  t.padding0 = t.padding1 = t.padding2 = 0;
-  for (int i = 1; i + 1 < count; ++i) {
-    t.facing = id << 1;
-    t.a = screenPoint(polygon[0]);
-    t.b = screenPoint(polygon[i]);
-    t.c = screenPoint(polygon[i + 1]);
-    emitScreenTriangle(&view, t, screen, params.capacity, counters, large);
-  }
-}
-
-/// Adds one tile of a triangle to the counts.
-void countTile(const TriangleEdges* edges, int tileX, int tileY, const ViewData* view, __global uint* tilePairs,
-               __global uint* tileFragments) {
+/// Pixels of a tile that are covered and inside of the view.
+CDSM_INLINE ulong maskInView(const Coverage* coverage, int tileX, int tileY, const ViewData* view) {
   int x = tileX * CDSM_TILE, y = tileY * CDSM_TILE;
-  ulong mask = coverageMask(edges, x, y) & insideView(x, y, view->width, view->height);
-  if (mask == 0) return;
+  return tileMask(coverage, x, y, view) & insideView(x, y, view->width, view->height);
+}
+
+/// Adds one tile of a primitive to the counts.
+CDSM_INLINE void countTile(const Coverage* coverage, int tileX, int tileY, const ViewData* view,
+                           __global uint* tilePairs) {
+  if (!takesPair(maskInView(coverage, tileX, tileY, view))) return;
   uint tile = (uint)(tileY * view->tilesX + tileX);
   atomic_inc(&tilePairs[tile]);
-  atomic_add(&tileFragments[tile], (uint)popcount(mask));
 }
 
-/// Writes one tile's pair. Pairs of a tile lie in any order: each pixel sorts what covers it.
-void fillTile(const TriangleEdges* edges, int tileX, int tileY, const ViewData* view, uint slot,
-              __global const uint* tileStart, __global uint* tileCursor, __global ulong* masks, __global uint* owners) {
-  int x = tileX * CDSM_TILE, y = tileY * CDSM_TILE;
-  ulong mask = coverageMask(edges, x, y) & insideView(x, y, view->width, view->height);
-  if (mask == 0) return;
+/// Writes one tile's pair, and counts its fragments. Pairs of a tile lie in any order: each pixel sorts what covers it.
+CDSM_INLINE void fillTile(const Coverage* coverage, int tileX, int tileY, const ViewData* view, uint owner,
+                          __global const uint* tileStart, __global uint* tileCursor, __global uint* tileFragments,
+                          __global ulong* masks, __global uint* owners) {
+  ulong mask = maskInView(coverage, tileX, tileY, view);
+  if (!takesPair(mask)) return;
   uint tile = (uint)(tileY * view->tilesX + tileX);
   uint place = tileStart[tile] + atomic_inc(&tileCursor[tile]);
   masks[place] = mask;
-  owners[place] = slot;
+  owners[place] = owner;
+  atomic_add(&tileFragments[tile], (uint)popcount(mask) << ((owner & CDSM_TWICE_BIT) ? 1 : 0));
 }
 
-/// Tiles of a screen triangle: (x0, y0, x1, y1), inclusive.
-int4 coveredTiles(__global const ScreenTriangle* t, const ViewData* view) {
-  return coveredPixels(t->a, t->b, t->c, view->width, view->height) >> 3;
-}
-
-bool isLarge(int4 tiles) { return (tiles.z - tiles.x + 1) * (tiles.w - tiles.y + 1) > CDSM_LARGE_TILES; }
-
-/// A work item per screen triangle that is not large.
-__kernel void countPairs(SetupParams params, ViewData view, __global const ScreenTriangle* screen,
-                         __global const RasterCounters* counters, __global uint* tilePairs,
-                         __global uint* tileFragments) {
+/// A work item per primitive that is not large.
+__kernel void countPairs(SetupParams params, ViewData view, __global const ScreenPrimitive* screen,
+                         __global const RasterCounters* counters, __global uint* tilePairs) {
   uint slot = (uint)get_global_id(0);
-  if (slot >= min(counters->screenTriangles, params.capacity)) return;
+  if (slot >= min(counters->wanted, params.capacity)) return;
   int4 tiles = coveredTiles(&screen[slot], &view);
   if (isLarge(tiles)) return;
-  TriangleEdges edges = triangleEdges(&screen[slot]);
+  Coverage coverage = coverageOf(&screen[slot]);
   for (int y = tiles.y; y <= tiles.w; ++y)
-    for (int x = tiles.x; x <= tiles.z; ++x) countTile(&edges, x, y, &view, tilePairs, tileFragments);
+    for (int x = tiles.x; x <= tiles.z; ++x) countTile(&coverage, x, y, &view, tilePairs);
 }
 
-/// Work groups take large triangles in turn, their items the tiles of each.
-__kernel void countPairsLarge(SetupParams params, ViewData view, __global const ScreenTriangle* screen,
+/// Work groups take large primitives in turn, their items the tiles of each.
+__kernel void countPairsLarge(SetupParams params, ViewData view, __global const ScreenPrimitive* screen,
                               __global const RasterCounters* counters, __global const uint* large,
-                              __global uint* tilePairs, __global uint* tileFragments) {
-  for (uint i = (uint)get_group_id(0); i < counters->largeTriangles; i += (uint)get_num_groups(0)) {
-    __global const ScreenTriangle* t = &screen[large[i]];
-    int4 tiles = coveredTiles(t, &view);
-    TriangleEdges edges = triangleEdges(t);
+                              __global uint* tilePairs) {
+  for (uint i = (uint)get_group_id(0); i < counters->large; i += (uint)get_num_groups(0)) {
+    __global const ScreenPrimitive* p = &screen[large[i]];
+    int4 tiles = coveredTiles(p, &view);
+    Coverage coverage = coverageOf(p);
     int columns = tiles.z - tiles.x + 1, total = columns * (tiles.w - tiles.y + 1);
     for (int k = (int)get_local_id(0); k < total; k += (int)get_local_size(0))
-      countTile(&edges, tiles.x + k % columns, tiles.y + k / columns, &view, tilePairs, tileFragments);
+      countTile(&coverage, tiles.x + k % columns, tiles.y + k / columns, &view, tilePairs);
   }
 }
 
 /// As countPairs, writing.
-__kernel void fillPairs(SetupParams params, ViewData view, __global const ScreenTriangle* screen,
+__kernel void fillPairs(SetupParams params, ViewData view, __global const ScreenPrimitive* screen,
                         __global const RasterCounters* counters, __global const uint* tileStart,
-                        __global uint* tileCursor, __global ulong* masks, __global uint* owners) {
+                        __global uint* tileCursor, __global uint* tileFragments, __global ulong* masks,
+                        __global uint* owners) {
   uint slot = (uint)get_global_id(0);
-  if (slot >= min(counters->screenTriangles, params.capacity)) return;
+  if (slot >= min(counters->wanted, params.capacity)) return;
   int4 tiles = coveredTiles(&screen[slot], &view);
   if (isLarge(tiles)) return;
-  TriangleEdges edges = triangleEdges(&screen[slot]);
+  Coverage coverage = coverageOf(&screen[slot]);
+  uint owner = ownerOf(&screen[slot], slot);
   for (int y = tiles.y; y <= tiles.w; ++y)
     for (int x = tiles.x; x <= tiles.z; ++x)
-      fillTile(&edges, x, y, &view, slot, tileStart, tileCursor, masks, owners);
+      fillTile(&coverage, x, y, &view, owner, tileStart, tileCursor, tileFragments, masks, owners);
 }
 
 /// As countPairsLarge, writing.
-__kernel void fillPairsLarge(SetupParams params, ViewData view, __global const ScreenTriangle* screen,
+__kernel void fillPairsLarge(SetupParams params, ViewData view, __global const ScreenPrimitive* screen,
                              __global const RasterCounters* counters, __global const uint* large,
-                             __global const uint* tileStart, __global uint* tileCursor, __global ulong* masks,
-                             __global uint* owners) {
-  for (uint i = (uint)get_group_id(0); i < counters->largeTriangles; i += (uint)get_num_groups(0)) {
-    __global const ScreenTriangle* t = &screen[large[i]];
-    int4 tiles = coveredTiles(t, &view);
-    TriangleEdges edges = triangleEdges(t);
+                             __global const uint* tileStart, __global uint* tileCursor, __global uint* tileFragments,
+                             __global ulong* masks, __global uint* owners) {
+  for (uint i = (uint)get_group_id(0); i < counters->large; i += (uint)get_num_groups(0)) {
+    __global const ScreenPrimitive* p = &screen[large[i]];
+    int4 tiles = coveredTiles(p, &view);
+    Coverage coverage = coverageOf(p);
+    uint owner = ownerOf(p, large[i]);
     int columns = tiles.z - tiles.x + 1, total = columns * (tiles.w - tiles.y + 1);
     for (int k = (int)get_local_id(0); k < total; k += (int)get_local_size(0))
-      fillTile(&edges, tiles.x + k % columns, tiles.y + k / columns, &view, large[i], tileStart, tileCursor, masks,
-               owners);
+      fillTile(&coverage, tiles.x + k % columns, tiles.y + k / columns, &view, owner, tileStart, tileCursor,
+               tileFragments, masks, owners);
   }
 }

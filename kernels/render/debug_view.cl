@@ -47,14 +47,14 @@ SeenPoint firstSeen(const Ray* ray, SceneAccess scene, SegmentWalk* walk, const 
   p.seen = p.surface = p.at.farSide = false;
   p.at.bias = params->bias;
   float transparency = 1.0f, depth = INFINITY;
-  uint triangle = 0;
+  uint facing = 0;
   while (walk->left > 0 && !p.seen) {
     float next = nextDepth(walk);
     if (walk->mediumCount > 0 && next > walk->depth)
       depth = seenDepth(&transparency, ray, scene, walk, next, params->interiorStep CDSM_VOLUME_ARGS);
     p.seen = depth < INFINITY;
-    triangle = nextFacing(walk) >> 1;
-    if (!p.seen) transparency *= 1.0f - scene.objects[scene.triangles[triangle].w].diffuse.w;
+    facing = nextFacing(walk);
+    if (!p.seen) transparency *= 1.0f - scene.objects[surfaceObject(scene, facing)].diffuse.w;
     if (!p.seen && transparency <= CDSM_UNSEEN) {
       p.seen = p.surface = true;
       depth = next;
@@ -62,7 +62,7 @@ SeenPoint firstSeen(const Ray* ray, SceneAccess scene, SegmentWalk* walk, const 
     passFragment(walk, scene);
   }
   p.at.point = ray->origin + (p.seen ? depth : 0.0f) * ray->dir;
-  p.at.normal = p.surface ? surfaceNormals(scene, triangle, p.at.point).plane : -ray->dir / ray->length;
+  p.at.normal = p.surface ? surfaceNormals(scene, facing, p.at.point).plane : -ray->dir / ray->length;
   return p;
 }
 

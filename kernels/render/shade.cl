@@ -27,7 +27,7 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
     if (walk.mediumCount > 0 && depth > walk.depth)
       shadeSegment(&r, scene, &walk, depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     if (r.transparency > CDSM_OPAQUE)
-      shadeSurface(&r, scene, nextFacing(&walk) >> 1, depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
+      shadeSurface(&r, scene, nextFacing(&walk), depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     passFragment(&walk, scene);
   }
   if (r.transparency <= CDSM_OPAQUE) r.transparency = 0.0f;

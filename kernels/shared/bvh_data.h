@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hierarchy of boxes over the scene's triangles that shadow rays walk.
+// The hierarchy of boxes over the scene's triangles and spheres that shadow rays walk.
 #pragma once
 #include "shared/types.h"
 
 CDSM_SHARED_BEGIN
 
-/// Inner node: its left child is the next node, `link` the right one. Leaf: `count` triangles from number `link` on.
+/// Inner node: its left child is the next node, `link` the right one. Leaf: `count` primitives from number `link` on.
 typedef struct BvhNode {
   float4 low;   ///< world; w unused
   float4 high;
@@ -15,11 +15,13 @@ typedef struct BvhNode {
 } BvhNode;
 CDSM_SIZE(BvhNode, 48);
 
-/// A triangle in world space, in the order of the leaves. a.w: number of its object, as the bits of a float.
-typedef struct BvhTriangle {
-  float4 a, b, c;
-} BvhTriangle;
-CDSM_SIZE(BvhTriangle, 48);
+/// A triangle or a sphere in world space, in the order of the leaves.
+typedef struct BvhPrimitive {
+  float4 a;  ///< corner, or centre; w: number of its object, as the bits of a float
+  float4 b;  ///< corner; w: radius of a sphere, 0 for a triangle
+  float4 c;  ///< corner
+} BvhPrimitive;
+CDSM_SIZE(BvhPrimitive, 48);
 
 /// Depth of the hierarchy that a walk has room for; the host builds no deeper one.
 #define CDSM_BVH_DEPTH 48

@@ -60,7 +60,7 @@ typedef struct TechniqueParams {
   MemoryParams memory;
   uint bilinear;     ///< techniques with maps: 1: texels weighted by the point's place among them, 0: nearest
   uint mediumCount;  ///< shadow-rays: of the scene
-  uint nodeCount;    ///< shadow-rays: of the triangles' hierarchy, 0: no triangles
+  uint nodeCount;    ///< shadow-rays: of the hierarchy of triangles and spheres, 0: it is empty
   float texelBias;   ///< techniques with maps: texel widths that surface points are moved towards the light
   uint opaque;       ///< shadow-rays: 1: all or nothing
   float threshold;   ///< shadow-rays, opaque: opacity over which a surface stops the light

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene on the device: triangles in object space, objects with their matrices, media (volumes and interiors).
+// The scene on the device: triangles and spheres in object space, objects with their matrices, media (volumes and interiors).
 #pragma once
 #include "shared/types.h"
 
@@ -11,7 +11,7 @@ typedef struct Affine {
 } Affine;
 CDSM_SIZE(Affine, 48);
 
-/// A mesh, or the box of a volume. Crossing its triangles enters and leaves its media.
+/// A mesh, the box of a volume, or a set of spheres. Crossing its triangles enters and leaves its media.
 typedef struct ObjectData {
   Affine worldFromObject;
   float4 diffuse;        ///< rgb, w: opacity of one crossing, 0..1; 0: no surface is seen
@@ -22,9 +22,17 @@ typedef struct ObjectData {
   uint encloses;         ///< 0 | 1: rays keep track of whether they are inside
   uint casts;            ///< 0 | 1: its surface and interior, or the volume of which it is the box, attenuate light
   uint receives;         ///< 0 | 1: the surface is shadowed
-  uint padding0, padding1;
+  uint hasColors;        ///< 0 | 1: its spheres have colours of their own, in place of diffuse
+  uint padding;
 } ObjectData;
 CDSM_SIZE(ObjectData, 112);
+
+/// A sphere in the space of its object, whose matrix scales all axes alike.
+typedef struct SceneSphere {
+  float4 sphere;  ///< xyz: centre, w: radius
+  float4 color;   ///< rgb, see ObjectData::hasColors; w: number of its object, as the bits of a float
+} SceneSphere;
+CDSM_SIZE(SceneSphere, 32);
 
 /// A volume, or the constant interior of a closed mesh.
 typedef struct MediumData {

@@ -78,7 +78,7 @@ std::int64_t stepsOf(const World& world, const reference::Ray& ray) {
   for (const reference::Segment& segment : segmentsOf(world, ray, behindAll(world, ray))) {
     if (!segment.volumes.empty()) count += stepsIn(segment, 0.5 * smallestEdge(world, segment));
     for (const reference::Crossing& crossing : segment.after)
-      if (world.scene.materials[world.scene.meshes[crossing.mesh].material].opacity == 1.0f) return count;
+      if (reference::materialOf(world, crossing).opacity == 1.0f) return count;
   }
   return count;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "reference/test_scenes.hpp"
 
 namespace cdsm::images {
@@ -113,11 +115,36 @@ Scene threeKindsOfLights() {
   return scene;
 }
 
+/// Untessellated spheres, opaque and translucent, in smoke and in front of a mesh.
+Scene balls() {
+  Scene scene = smokeOverFloor();
+  scene.volumes.front().worldFromObject = moved(-0.9f, 0.1f, -0.2f);
+  const int shiny = addMaterial(scene, {0.8f, 0.4f, 0.2f}, 1.0f);
+  scene.materials[static_cast<std::size_t>(shiny)].specular = glm::vec3(0.4f);
+  scene.materials[static_cast<std::size_t>(shiny)].shininess = 20.0f;
+  SphereData opaque{{{-0.8f, -0.2f, 0.3f}, {0.1f, -0.7f, 0.8f}, {0.6f, 0.6f, -0.4f}}, {0.4f, 0.3f, 0.35f}, {}};
+  SphereData clear{{{0.7f, -0.5f, 0.4f}, {1.0f, 0.1f, 0.2f}, {0.2f, 0.2f, 0.5f}}, {0.45f, 0.3f, 0.25f}, {}};
+  clear.colors = {{0.2f, 0.7f, 0.9f}, {0.9f, 0.8f, 0.2f}, {0.5f, 0.9f, 0.4f}};
+  addSpheres(scene, opaque, shiny);
+  addSpheres(scene, clear, addMaterial(scene, glm::vec3(1.0f), 0.4f), glm::scale(glm::mat4(1.0f), glm::vec3(1.1f)));
+  addMesh(scene, quadMesh({1.0f, -0.3f, -1.0f}, {0.7f, 0.0f, 0.0f}, {0.0f, 0.6f, 0.1f}),
+          addMaterial(scene, {0.6f, 0.8f, 1.0f}, 0.6f));
+  Light sun;
+  sun.name = "sun";
+  sun.type = LightType::Directional;
+  sun.direction = {1.0f, -2.0f, -0.6f};
+  sun.color = glm::vec3(0.4f);
+  scene.lights.front().color = glm::vec3(0.6f);
+  scene.lights.push_back(sun);
+  return scene;
+}
+
 /// Some objects are lit as if nothing stood in the way.
 ImageScene someReceive(ImageScene scene, std::uint32_t seed) {
   giveRandomRoles(scene.scene, seed);
   for (Mesh& mesh : scene.scene.meshes) mesh.shadow.casts = true;
   for (Volume& volume : scene.scene.volumes) volume.shadow.casts = true;
+  for (Spheres& spheres : scene.scene.spheres) spheres.shadow.casts = true;
   scene.name += "SomeReceive";
   return scene;
 }
@@ -131,17 +158,16 @@ ImageScene someCast(ImageScene scene, std::uint32_t seed) {
 }  // namespace
 
 std::vector<ImageScene> imageScenes() {
-  std::vector<ImageScene> scenes{{"SmokeOverFloor", smokeOverFloor()},
-                                 {"SpheresUnderSheet", spheresUnderSheet()},
-                                 {"ShadedVolumes", shadedVolumes()},
-                                 {"MediumAndCut", mediumAndCut()},
-                                 {"ThreeKindsOfLights", threeKindsOfLights()}};
+  std::vector<ImageScene> scenes{
+      {"SmokeOverFloor", smokeOverFloor()},         {"SpheresUnderSheet", spheresUnderSheet()},
+      {"ShadedVolumes", shadedVolumes()},           {"MediumAndCut", mediumAndCut()},
+      {"ThreeKindsOfLights", threeKindsOfLights()}, {"Balls", balls()}};
   struct Seeds {
     std::size_t scene;
     std::uint32_t receive, cast;
   };
   // chosen so that floors are shadowed, and not by all that is above them
-  for (const Seeds& seeds : {Seeds{1, 2, 16}, Seeds{2, 2, 4}, Seeds{3, 3, 6}, Seeds{4, 8, 10}}) {
+  for (const Seeds& seeds : {Seeds{1, 2, 16}, Seeds{2, 2, 4}, Seeds{3, 3, 6}, Seeds{4, 8, 10}, Seeds{5, 3, 5}}) {
     scenes.push_back(someReceive(scenes[seeds.scene], seeds.receive));
     scenes.push_back(someCast(scenes[seeds.scene], seeds.cast));
   }

@@ -15,7 +15,8 @@ struct ImageScene {
 };
 
 /// Smoke over a floor; spheres under a translucent sheet; overlapping shaded volumes under two lights; a filled sphere
-/// beside a volume that a mesh cuts; smoke and spheres under a spot, an omni and a directional light. All but the first
+/// beside a volume that a mesh cuts; smoke and spheres under a spot, an omni and a directional light;
+/// spheres that are not tessellated among all these. All but the first
 /// again with some objects that are not shadowed, and with some that cast no shadow.
 std::vector<ImageScene> imageScenes();
 

@@ -43,7 +43,7 @@ const cl::Program& testProgram(device::Device& device, const std::string& text, 
 }
 
 const cl::Program& sceneTestProgram(device::Device& device, const build::DeviceScene& scene, const std::string& text) {
-  Defines defines{{"CDSM_BATCH", device.isCpu() ? "8" : "4"}};
+  Defines defines{{"CDSM_BATCH", device.isCpu() ? "8" : "4"}, {"CDSM_SPHERES", "0"}};
   if (device.fetchImages()) defines.emplace_back("CDSM_FETCH_IMAGE", "1");
   return testProgram(device, text, defines, {{"generated/volume_slots.clh", scene.slots().kernelFile()}});
 }

@@ -74,7 +74,7 @@ F(link)
 F(count)
 F(padding0)
 F(padding1)
-CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
+CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
 
     CDSM_BEGIN(ViewData) F(pixelU) F(pixelV) F(pixelW) F(depth) F(origin) F(originU) F(originV) F(dir) F(dirU) F(dirV)
         F(width) F(height) F(tilesX) F(tilesY) F(nearDepth) F(initialCount) F(padding0) F(padding1) CDSM_END
@@ -89,9 +89,9 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                 F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
-        F(padding2) CDSM_END CDSM_BEGIN(RasterCounters) F(screenTriangles) F(largeTriangles) F(padding0)
-            F(padding1) CDSM_END CDSM_BEGIN(SetupParams) F(firstTriangle) F(triangleCount) F(capacity)
-                F(padding) CDSM_END
+        F(padding2) CDSM_END CDSM_BEGIN(ScreenSphere) F(sphere) F(outline) F(reach) F(firstTile) F(lastTile) F(facing)
+            F(minDepth) CDSM_END CDSM_BEGIN(RasterCounters) F(wanted) F(large) F(padding0) F(padding1) CDSM_END
+    CDSM_BEGIN(SetupParams) F(first) F(count) F(capacity) F(padding) CDSM_END
 
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
         F(firstShadowBlock) F(mediumCount) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin)
@@ -100,11 +100,12 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
                     F(maxTileNodes) F(unfilledTiles) F(nodesLow) F(nodesHigh) F(roomLow) F(roomHigh) CDSM_END
 
     CDSM_BEGIN(Affine) F(x) F(y) F(z) CDSM_END CDSM_BEGIN(ObjectData) F(worldFromObject) F(diffuse) F(specular)
-        F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(padding0) F(padding1) CDSM_END
-    CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior) F(size) F(cells) F(lutScale) F(lutBias)
-        F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) F(firstShadowBlock) F(padding0) F(padding1)
-            F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(firstVoxel) F(lastVoxel) F(light)
-                F(medium) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast) F(padding) CDSM_END
+        F(firstMedium) F(mediumCount) F(hasNormals) F(encloses) F(casts) F(receives) F(hasColors) F(padding) CDSM_END
+    CDSM_BEGIN(SceneSphere) F(sphere) F(color) CDSM_END CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior)
+        F(size) F(cells) F(lutScale) F(lutBias) F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives)
+            F(firstShadowBlock) F(padding0) F(padding1) F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex)
+                F(firstVoxel) F(lastVoxel) F(light) F(medium) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale)
+                    F(lutBias) F(lutLast) F(padding) CDSM_END
 
     template <class T>
     SharedStruct entry(const char* name, const char* header) {
@@ -116,10 +117,11 @@ CDSM_END CDSM_BEGIN(BvhTriangle) F(a) F(b) F(c) CDSM_END
 #define CDSM_ENTRY(Name, header) entry<Name>(#Name, "shared/" header)
 
 std::vector<SharedStruct> sharedStructs() {
-  return {CDSM_ENTRY(BvhNode, "bvh_data.h"),           CDSM_ENTRY(BvhTriangle, "bvh_data.h"),
+  return {CDSM_ENTRY(BvhNode, "bvh_data.h"),           CDSM_ENTRY(BvhPrimitive, "bvh_data.h"),
           CDSM_ENTRY(BuildParams, "frame_data.h"),     CDSM_ENTRY(ShadeParams, "frame_data.h"),
           CDSM_ENTRY(DepthParams, "frame_data.h"),     CDSM_ENTRY(QueryParams, "frame_data.h"),
-          CDSM_ENTRY(TechniqueParams, "frame_data.h"), CDSM_ENTRY(FillParams, "frame_data.h"),
+          CDSM_ENTRY(TechniqueParams, "frame_data.h"), CDSM_ENTRY(ScreenSphere, "layer_data.h"),
+          CDSM_ENTRY(SceneSphere, "scene_data.h"),     CDSM_ENTRY(FillParams, "frame_data.h"),
           CDSM_ENTRY(ScreenTriangle, "layer_data.h"),  CDSM_ENTRY(RasterCounters, "layer_data.h"),
           CDSM_ENTRY(SetupParams, "layer_data.h"),     CDSM_ENTRY(LightData, "map_data.h"),
           CDSM_ENTRY(MapData, "map_data.h"),           CDSM_ENTRY(MemoryParams, "map_data.h"),

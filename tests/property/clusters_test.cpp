@@ -177,7 +177,7 @@ TEST(Clusters, NobodyMissesWhatPicturesLeaveOut) {
     const Scene scene = along(rayPath(), boxesScene(random), kMapSize, kTolerance);
     Scene clustered = scene;
     clustered.shadows.clusters = 4;
-    cluster::MeshShapes known;
+    cluster::KnownShapes known;
     const scene::Bounds bounds = scene::worldBounds(scene);
     const cluster::VisibleSpace space =
         cluster::visibleSpace(scene.camera, double(scene.image.width) / scene.image.height,

@@ -34,6 +34,14 @@ Box boxOf(const Scene& scene) {
   Box box;
   for (const Mesh& mesh : scene.meshes)
     for (const glm::vec3& p : mesh.data->positions) box.add(glm::dmat4(mesh.worldFromObject) * glm::dvec4(p, 1.0));
+  for (const Spheres& spheres : scene.spheres)
+    for (std::size_t i = 0; i < spheres.data->centers.size(); ++i) {
+      const glm::dmat4 matrix(spheres.worldFromObject);
+      const double radius = glm::length(glm::dvec3(matrix[0])) * spheres.data->radii[i];
+      const glm::dvec4 center = matrix * glm::dvec4(spheres.data->centers[i], 1.0);
+      box.add(center - glm::dvec4(radius));
+      box.add(center + glm::dvec4(radius));
+    }
   for (const Volume& volume : scene.volumes)
     for (int corner = 0; corner < 8; ++corner) {
       const glm::dvec3 unit(corner & 1, corner >> 1 & 1, corner >> 2);

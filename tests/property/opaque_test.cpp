@@ -107,6 +107,14 @@ TEST_P(OpaqueScenes, agreeWithBruteForce) {
   }
 }
 
+TEST_P(OpaqueScenes, agreeWithBruteForceWithSpheres) {
+  Scene scene = reference::randomScene(GetParam());
+  reference::addRandomSpheres(scene, GetParam());
+  scene.shadows.step = 0.01f;
+  if (GetParam() % 2 == 0) scene.lights = reference::otherLights(GetParam());
+  for (const Light& light : scene.lights) expectBruteForce(scene, light, GetParam(), 0.35);
+}
+
 /// What is dark over a higher threshold is dark over a lower one.
 TEST_P(OpaqueScenes, getDarkerWithALowerThreshold) {
   const Scene scene = reference::randomScene(GetParam());

@@ -111,6 +111,19 @@ TEST_P(RandomScenes, agreeWithBruteForceWhateverCasts) {
   expectBruteForce(scene, GetParam(), kPaths);
 }
 
+/// Spheres, opaque and translucent, among the others; in every second scene, light from amidst them.
+TEST_P(RandomScenes, agreeWithBruteForceWithSpheres) {
+  Scene scene = reference::randomScene(GetParam());
+  reference::addRandomSpheres(scene, GetParam());
+  scene.shadows.step = 0.02f;  // as above
+  if (GetParam() % 3 == 0) reference::giveRandomRoles(scene, GetParam());
+  if (GetParam() % 2 == 0) scene.lights = reference::otherLights(GetParam());
+  expectBruteForce(scene, GetParam(), kPaths);
+  if (GetParam() > 2) return;
+  scene.shadows.clusterDistance = 0.1f;
+  expectBruteForce(scene, GetParam(), kClusterPaths);
+}
+
 /// A spot light and parallel light, their casters in clusters.
 TEST_P(RandomScenes, agreeWithBruteForceInClusters) {
   if (GetParam() > 1) GTEST_SKIP() << "many maps take their time";

@@ -102,14 +102,25 @@ void addSegment(const World& world, const Ray& ray, const Segment& segment, Accu
   }
 }
 
+/// Spheres may have colours of their own.
+glm::dvec3 diffuseOf(const World& world, const Crossing& crossing) {
+  if (crossing.mesh < 0) {
+    const SphereData& data = *world.scene.spheres[static_cast<std::size_t>(crossing.spheres)].data;
+    if (!data.colors.empty()) return glm::dvec3(data.colors[static_cast<std::size_t>(crossing.sphere)]);
+  }
+  return glm::dvec3(materialOf(world, crossing).diffuse);
+}
+
 void addSurface(const World& world, const Ray& ray, const Crossing& crossing, Accumulated& pixel) {
-  const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
-  const Material& material = world.scene.materials[static_cast<std::size_t>(mesh.material)];
+  const Material& material = materialOf(world, crossing);
   if (material.opacity <= 0.0f) return;
-  const glm::dvec3 normal = world.surfaces[static_cast<std::size_t>(crossing.mesh)].normal(crossing);
-  const Phong phong{glm::dvec3(material.diffuse), glm::dvec3(material.specular), material.shininess, normal,
-                    mesh.shadow.receives};
-  pixel.add(shade(world, phong, ray.at(crossing.t), -ray.direction), material.opacity);
+  const glm::dvec3 point = ray.at(crossing.t);
+  const glm::dvec3 normal = crossing.mesh < 0
+                                ? world.balls[static_cast<std::size_t>(crossing.spheres)].normal(crossing, point)
+                                : world.surfaces[static_cast<std::size_t>(crossing.mesh)].normal(crossing);
+  const Phong phong{diffuseOf(world, crossing), glm::dvec3(material.specular), material.shininess, normal,
+                    roleOf(world, crossing).receives};
+  pixel.add(shade(world, phong, point, -ray.direction), material.opacity);
 }
 
 }  // namespace

@@ -86,6 +86,32 @@ glm::dvec3 Surface::normal(const Crossing& crossing) const {
   return glm::normalize(glm::cross(positions_[t.y] - positions_[t.x], positions_[t.z] - positions_[t.x]));
 }
 
+Balls::Balls(const Spheres& spheres) {
+  const glm::dmat4 worldFromObject(spheres.worldFromObject);
+  const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(worldFromObject))));
+  for (const glm::vec3& center : spheres.data->centers)
+    centers_.push_back(glm::dvec3(worldFromObject * glm::dvec4(glm::dvec3(center), 1.0)));
+  for (const float radius : spheres.data->radii) radii_.push_back(scale * static_cast<double>(radius));
+}
+
+void Balls::addCrossings(const Ray& ray, int spheresIndex, std::vector<Crossing>& crossings) const {
+  for (std::size_t i = 0; i < centers_.size(); ++i) {
+    // t^2 - 2 b t + c = 0
+    const glm::dvec3 way = centers_[i] - ray.origin;
+    const double b = glm::dot(way, ray.direction), c = glm::dot(way, way) - radii_[i] * radii_[i];
+    if (b * b < c) continue;
+    const double root = std::sqrt(b * b - c);
+    for (const int sign : {1, -1}) {
+      const double t = b - sign * root;
+      if (t > 0.0) crossings.push_back({t, -1, -1, {}, sign, spheresIndex, static_cast<int>(i)});
+    }
+  }
+}
+
+glm::dvec3 Balls::normal(const Crossing& crossing, const glm::dvec3& point) const {
+  return glm::normalize(point - centers_[static_cast<std::size_t>(crossing.sphere)]);
+}
+
 int windingNumber(const std::vector<Crossing>& crossings, int mesh, double t) {
   int winding = 0;
   for (const Crossing& crossing : crossings) {

@@ -18,8 +18,12 @@ std::vector<Crossing> crossingsOf(const World& world, const Ray& ray) {
   for (std::size_t i = 0; i < world.surfaces.size(); ++i) {
     world.surfaces[i].addCrossings(ray, static_cast<int>(i), crossings);
   }
+  for (std::size_t i = 0; i < world.balls.size(); ++i) {
+    world.balls[i].addCrossings(ray, static_cast<int>(i), crossings);
+  }
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-    return std::tie(a.t, a.mesh, a.triangle) < std::tie(b.t, b.mesh, b.triangle);
+    return std::tie(a.t, a.mesh, a.triangle, a.spheres, a.sphere) <
+           std::tie(b.t, b.mesh, b.triangle, b.spheres, b.sphere);
   });
   return crossings;
 }
@@ -70,7 +74,19 @@ void fillSegment(const World& world, const std::vector<Crossing>& crossings, con
 
 World::World(const Scene& scene_) : scene(scene_) {
   for (const Mesh& mesh : scene.meshes) surfaces.emplace_back(mesh);
+  for (const Spheres& spheres : scene.spheres) balls.emplace_back(spheres);
   for (const Volume& volume : scene.volumes) grids.emplace_back(volume);
+}
+
+const Material& materialOf(const World& world, const Crossing& crossing) {
+  const int material = crossing.mesh < 0 ? world.scene.spheres[static_cast<std::size_t>(crossing.spheres)].material
+                                         : world.scene.meshes[static_cast<std::size_t>(crossing.mesh)].material;
+  return world.scene.materials[static_cast<std::size_t>(material)];
+}
+
+const ShadowRole& roleOf(const World& world, const Crossing& crossing) {
+  return crossing.mesh < 0 ? world.scene.spheres[static_cast<std::size_t>(crossing.spheres)].shadow
+                           : world.scene.meshes[static_cast<std::size_t>(crossing.mesh)].shadow;
 }
 
 std::vector<Segment> segmentsOf(const World& world, const Ray& ray, double length) {

@@ -18,6 +18,7 @@ struct World {
   World(const Scene& scene);  // NOLINT: implicit on purpose
   Scene scene;
   std::vector<Surface> surfaces;  ///< by mesh index
+  std::vector<Balls> balls;       ///< by index of spheres
   std::vector<Grid> grids;        ///< by volume index
 };
 
@@ -30,6 +31,10 @@ struct Segment {
 
 /// Segments from t = 0 to `length`, without gaps. Surfaces count strictly between: not those at either end.
 std::vector<Segment> segmentsOf(const World& world, const Ray& ray, double length);
+
+/// Of the mesh or the spheres that are crossed.
+const Material& materialOf(const World& world, const Crossing& crossing);
+const ShadowRole& roleOf(const World& world, const Crossing& crossing);
 
 /// A t behind everything that the ray meets.
 double behindAll(const World& world, const Ray& ray);

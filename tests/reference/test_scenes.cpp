@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace cdsm::reference {
 namespace {
 
@@ -152,6 +154,16 @@ int addMesh(Scene& scene, MeshData data, int material, const glm::mat4& worldFro
   return static_cast<int>(scene.meshes.size()) - 1;
 }
 
+int addSpheres(Scene& scene, SphereData data, int material, const glm::mat4& worldFromObject) {
+  Spheres spheres;
+  spheres.name = "spheres" + std::to_string(scene.spheres.size());
+  spheres.data = std::make_shared<const SphereData>(std::move(data));
+  spheres.material = material;
+  spheres.worldFromObject = worldFromObject;
+  scene.spheres.push_back(spheres);
+  return static_cast<int>(scene.spheres.size()) - 1;
+}
+
 int addVolume(Scene& scene, VolumeData data, const TransferFunction& transfer, const glm::mat4& worldFromObject) {
   Volume volume;
   volume.name = "volume" + std::to_string(scene.volumes.size());
@@ -184,6 +196,26 @@ void giveRandomRoles(Scene& scene, std::uint32_t seed) {
   };
   for (Mesh& mesh : scene.meshes) give(mesh.shadow);
   for (Volume& volume : scene.volumes) give(volume.shadow);
+  for (Spheres& spheres : scene.spheres) give(spheres.shadow);
+}
+
+void addRandomSpheres(Scene& scene, std::uint32_t seed) {
+  Random random(seed + 4000u);
+  for (const bool opaque : {true, false}) {
+    SphereData data;
+    const int count = random.integer(3, 12);
+    for (int i = 0; i < count; ++i) {
+      data.centers.push_back(static_cast<float>(random.uniform(0.3, 1.2)) * random.direction());
+      data.radii.push_back(static_cast<float>(random.uniform(0.05, 0.35)));
+      const double red = random.uniform(0.0, 1.0), green = random.uniform(0.0, 1.0);
+      if (!opaque) data.colors.emplace_back(red, green, random.uniform(0.0, 1.0));
+    }
+    const float opacity = opaque ? 1.0f : static_cast<float>(random.uniform(0.2, 0.7));
+    const auto scale = static_cast<float>(random.uniform(0.7, 1.3));
+    const auto turn = static_cast<float>(random.uniform(0.0, 6.0));
+    const glm::mat4 pose = glm::scale(glm::rotate(glm::mat4(1.0f), turn, random.direction()), glm::vec3(scale));
+    addSpheres(scene, std::move(data), addMaterial(scene, {0.8f, 0.5f, 0.3f}, opacity), pose);
+  }
 }
 
 std::vector<Light> otherLights(std::uint32_t seed) {

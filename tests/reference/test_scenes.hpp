@@ -61,6 +61,8 @@ int addMesh(Scene& scene, MeshData data, int material, const glm::mat4& worldFro
 int addVolume(Scene& scene, VolumeData data, const TransferFunction& transfer,
               const glm::mat4& worldFromObject = glm::mat4(1.0f));
 
+int addSpheres(Scene& scene, SphereData data, int material, const glm::mat4& worldFromObject = glm::mat4(1.0f));
+
 /// The same opacity for every value.
 TransferFunction constantOpacity(float opacity, float unitDistance);
 /// Opacity 0 at value 0, `opacity` at `value`, linear between.
@@ -69,6 +71,10 @@ TransferFunction linearOpacity(double value, float opacity, float unitDistance);
 /// 1-3 volumes in random affine frames with random transfer functions, 1-4 meshes (opaque, translucent, filled with a
 /// medium, cutting a volume), 1-2 spot lights outside of everything. The same for the same seed.
 Scene randomScene(std::uint32_t seed);
+
+/// Two sets of spheres of many sizes in random similarities, opaque ones and translucent ones with their own colours,
+/// among a random scene's objects. The same for the same seed.
+void addRandomSpheres(Scene& scene, std::uint32_t seed);
 
 /// Lets each object cast or not and receive or not, by chance. The same for the same seed.
 void giveRandomRoles(Scene& scene, std::uint32_t seed);

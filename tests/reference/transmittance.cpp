@@ -33,9 +33,7 @@ double stepOf(const World& world, const Segment& segment, double step) {
 double surfacesAfter(const World& world, const Segment& segment) {
   double product = 1.0;
   for (const Crossing& crossing : segment.after) {
-    const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
-    if (!mesh.shadow.casts) continue;
-    product *= 1.0 - static_cast<double>(world.scene.materials[static_cast<std::size_t>(mesh.material)].opacity);
+    if (roleOf(world, crossing).casts) product *= 1.0 - static_cast<double>(materialOf(world, crossing).opacity);
   }
   return product;
 }
@@ -76,9 +74,8 @@ bool stops(const World& world, const Segment& segment, const Ray& ray, double th
     }
   }
   for (const Crossing& crossing : segment.after) {
-    const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(crossing.mesh)];
-    const auto opacity = static_cast<double>(world.scene.materials[static_cast<std::size_t>(mesh.material)].opacity);
-    if (mesh.shadow.casts && opacity > threshold) return true;
+    const auto opacity = static_cast<double>(materialOf(world, crossing).opacity);
+    if (roleOf(world, crossing).casts && opacity > threshold) return true;
   }
   return false;
 }

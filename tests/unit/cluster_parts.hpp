@@ -66,7 +66,7 @@ inline VisibleSpace visibleSpaceOf(const Scene& scene) {
 }
 
 inline std::vector<Caster> shapesOf(const Scene& scene) {
-  MeshShapes shapes;
+  KnownShapes shapes;
   return objectShapes(scene, shapes);
 }
 

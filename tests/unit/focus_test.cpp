@@ -10,6 +10,7 @@
 
 #include "cluster/light_camera.hpp"
 #include "cluster_parts.hpp"
+#include "scene/transform.hpp"
 
 namespace cdsm::cluster {
 namespace {
@@ -119,6 +120,33 @@ TEST(Focus, SeesAllOfACluster) {
   }
 }
 
+/// Corners of the body around spheres see them all, and little more than their box.
+TEST(Focus, BodiesAroundSpheresHoldThem) {
+  Random random(9);
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = reference::emptyScene();
+    SphereData data;
+    for (int k = 0; k <= i; ++k) {
+      data.centers.push_back(float(random.uniform(0.0, 2.0)) * random.direction());
+      data.radii.push_back(float(random.uniform(0.01, 0.5)));
+    }
+    const glm::mat4 pose = scene::composeTransform(random.direction(), random.direction(), 50.0f,
+                                                   glm::vec3(float(random.uniform(0.1, 5.0))));
+    reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(1), 1.0f), pose);
+    const std::vector<glm::dvec3> hull = hullPoints(scene, shapesOf(scene).front());
+    for (int turn = 0; turn < 100; ++turn) {
+      const glm::dvec3 way(random.direction());
+      double spheres = -INFINITY, corners = -INFINITY;
+      for (std::size_t k = 0; k < data.centers.size(); ++k)
+        spheres = std::max(spheres, glm::dot(way, glm::dvec3(pose * glm::vec4(data.centers[k], 1.0f))) +
+                                        scene::scaleOf(pose) * data.radii[k]);
+      for (const glm::dvec3& p : hull) corners = std::max(corners, glm::dot(way, p));
+      EXPECT_GE(corners, spheres - 1e-5 * scene::scaleOf(pose));
+      EXPECT_LE(corners, spheres + 0.9 * scene::scaleOf(pose));
+    }
+  }
+}
+
 /// Objects on both ends of a very wide cone.
 TEST(Focus, SeesBothEndsOfAWideCone) {
   Random random(2);
@@ -189,7 +217,7 @@ TEST(Focus, RectanglesAreTight) {
       const glm::dvec3 u = std::cos(angle) * frame.right + std::sin(angle) * frame.down, v = glm::cross(frame.axis, u);
       glm::dvec2 low(INFINITY), high(-INFINITY);
       for (const unsigned object : objects)
-        for (const glm::dvec3& p : hullPoints(scene, object)) {
+        for (const glm::dvec3& p : hullPoints(scene, shapesOf(scene)[object])) {
           low = glm::min(low, glm::dvec2(glm::dot(u, p), glm::dot(v, p)));
           high = glm::max(high, glm::dvec2(glm::dot(u, p), glm::dot(v, p)));
         }

@@ -11,6 +11,8 @@
 #include <cdsm/error.hpp>
 #include <cdsm/scene.hpp>
 
+#include "scene/transform.hpp"
+
 namespace cdsm {
 namespace {
 
@@ -184,6 +186,42 @@ TEST(Validate, ShadowRoles) {
       {"volume 'smoke': cluster_weight is nan", [](Scene& s) { s.volumes[0].shadow.weight = kNan; }},
   });
   EXPECT_EQ(complaint([](Scene& s) { s.meshes[0].shadow = s.volumes[0].shadow = {false, false, 1000.0f}; }), "");
+}
+
+TEST(Validate, Spheres) {
+  const auto with = [](const std::function<void(Spheres&, SphereData&)>& change) {
+    return [change](Scene& s) {
+      SphereData data{{{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.2f}, {}};
+      Spheres spheres;
+      spheres.name = "atoms";
+      change(spheres, data);
+      spheres.data = std::make_shared<const SphereData>(data);
+      s.spheres = {spheres};
+    };
+  };
+  expectComplaints({
+      {"spheres 'atoms' have no data", [](Scene& s) { s.spheres.resize(1), s.spheres[0].name = "atoms"; }},
+      {"spheres 'atoms' has no spheres", with([](Spheres&, SphereData& d) { d = {}; })},
+      {"has 1 radii for 2 centres", with([](Spheres&, SphereData& d) { d.radii.pop_back(); })},
+      {"has 1 colours for 2 centres", with([](Spheres&, SphereData& d) { d.colors.resize(1); })},
+      {"radius 1 is 0, must be above 0", with([](Spheres&, SphereData& d) { d.radii[1] = 0.0f; })},
+      {"radius 0 is nan", with([](Spheres&, SphereData& d) { d.radii[0] = kNan; })},
+      {"radius 0 is inf", with([](Spheres&, SphereData& d) { d.radii[0] = kInfinity; })},
+      {"centre 1 is not finite", with([](Spheres&, SphereData& d) { d.centers[1].y = kInfinity; })},
+      {"colour 1 is -1", with([](Spheres&, SphereData& d) {
+         d.colors = {{1, 1, 1}, {1, -1, 1}};
+       })},
+      {"material index is 7", with([](Spheres& s, SphereData&) { s.material = 7; })},
+      {"cluster_weight is 0", with([](Spheres& s, SphereData&) { s.shadow.weight = 0.0f; })},
+      {"cannot be inverted", with([](Spheres& s, SphereData&) { s.worldFromObject[1] = glm::vec4(0.0f); })},
+      {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][1] = 1.01f; })},
+      {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][0] = 0.01f; })},
+      {"its lowest coordinate in the world is -2e+09", with([](Spheres&, SphereData& d) { d.radii[0] = 2e9f; })},
+  });
+  EXPECT_EQ(complaint(with([](Spheres& s, SphereData&) {
+              s.worldFromObject = scene::composeTransform({1, 2, 3}, {1, 1, 0}, 33.0f, glm::vec3(-2.0f));
+            })),
+            "");
 }
 
 TEST(Validate, MeshData) {

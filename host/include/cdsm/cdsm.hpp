@@ -60,7 +60,8 @@ struct Transmittance {
 enum class DebugView {
   Clusters,  ///< objects in the colours of their clusters, shaded; grey: casts in none
   Nodes,     ///< nodes of the visibility functions of the texels in which the first visible point is looked up
-  Layers,    ///< fragments along the ray, those of the boxes of volumes and those out of sight included
+  Layers,    ///< fragments along the ray, those of the boxes of volumes and those out of sight included, but for
+             ///< what lies behind an opaque sphere
   Steps,     ///< samples of media shaded along the ray
   Texels,    ///< the picture with the texels of the map that the first visible point is looked up in, by cluster
 };

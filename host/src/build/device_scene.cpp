@@ -9,6 +9,7 @@
 
 #include "build/transfer_table.hpp"
 #include "scene/closed_mesh.hpp"
+#include "scene/objects.hpp"
 #include "scene/range.hpp"
 
 namespace cdsm::build {
@@ -73,10 +74,12 @@ float interiorStepOf(const ShadowSettings& shadows, float extinction, float diag
   return extinction > 0.0f ? std::clamp(opticalStep / extinction, most / float(CDSM_MOST_STEPS), step) : step;
 }
 
-scene::Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject) {
-  scene::Bounds bounds;
-  for (const glm::vec3& p : data.positions) bounds.add(glm::vec3(worldFromObject * glm::vec4(p, 1.0f)));
-  return bounds;
+/// Joined with the range before it if they are neighbours.
+void addRange(std::vector<PrimitiveRange>& ranges, const PrimitiveRange& range) {
+  if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first)
+    ranges.back().count += range.count;
+  else
+    ranges.push_back(range);
 }
 
 }  // namespace
@@ -84,7 +87,6 @@ scene::Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject) {
 void DeviceScene::clear() {
   objectTriangles_.clear();
   hostObjects_.clear();
-  objectMesh_.clear();
   mediumLists_.clear();
   hostMedia_.clear();
   mediumOwner_.clear();
@@ -158,7 +160,6 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
                       (signedVolume(*mesh.data) < 0.0) != (glm::determinant(glm::mat3(mesh.worldFromObject)) < 0.0f);
   objectTriangles_.push_back({mesh.data, inward});
   hostObjects_.push_back(object);
-  objectMesh_.push_back(int(index));
 }
 
 void DeviceScene::addBox(const Scene& scene, std::size_t index) {
@@ -176,7 +177,22 @@ void DeviceScene::addBox(const Scene& scene, std::size_t index) {
   }
   objectTriangles_.push_back({unitCube(), glm::determinant(glm::mat3(matrix)) < 0.0f});
   hostObjects_.push_back(object);
-  objectMesh_.push_back(-1 - int(index));
+}
+
+void DeviceScene::addSpheres(const Scene& scene, const Spheres& spheres) {
+  const Material& material = scene.materials[std::size_t(spheres.material)];
+  shared::ObjectData object{};
+  object.worldFromObject = affineOf(spheres.worldFromObject);
+  object.diffuse = {material.diffuse, material.opacity};
+  object.specular = {material.specular, material.shininess};
+  object.casts = spheres.shadow.casts;
+  object.receives = spheres.shadow.receives;
+  object.hasColors = !spheres.data->colors.empty();
+  hostObjects_.push_back(object);
+}
+
+bool DeviceScene::isBox(std::size_t object) const {
+  return scene::placeOf(scene_, object).kind == scene::ObjectKind::Volume;
 }
 
 void DeviceScene::update(const Scene& scene) {
@@ -185,8 +201,10 @@ void DeviceScene::update(const Scene& scene) {
   scene_ = scene;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) addMesh(scene, i);
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) addBox(scene, i);
+  for (const Spheres& spheres : scene.spheres) addSpheres(scene, spheres);
   updateBounds();
   geometry_.update(objectTriangles_);
+  spheres_.update(scene.spheres, scene::firstSpheres(scene));
   upload();
   std::vector<float> either = extinctionLut_;  // a cell is empty if it is so on the way to the camera and to lights
   for (std::size_t i = 0; i < either.size(); ++i) either[i] = std::max(either[i], lightLut_[i]);
@@ -194,18 +212,22 @@ void DeviceScene::update(const Scene& scene) {
   requireSteps();
 }
 
+template <class Data>
+void DeviceScene::addBounds(std::size_t object, const std::shared_ptr<const Data>& data,
+                            const glm::mat4& worldFromObject) {
+  KnownBounds& known = objectBounds_[object];
+  if (known.data != data || known.worldFromObject != worldFromObject)
+    known = {data, worldFromObject, scene::boundsOf(*data, worldFromObject)};
+  bounds_.add(known.bounds);
+}
+
 void DeviceScene::updateBounds() {
   objectBounds_.resize(hostObjects_.size());
   bounds_ = {};
-  for (std::size_t i = 0; i < hostObjects_.size(); ++i) {
-    KnownBounds& known = objectBounds_[i];
-    const int mesh = objectMesh_[i];
-    const glm::mat4 matrix =
-        mesh >= 0 ? scene_.meshes[mesh].worldFromObject : worldFromUnitCube(scene_.volumes[-1 - mesh]);
-    if (known.data != objectTriangles_[i].data || known.worldFromObject != matrix)
-      known = {objectTriangles_[i].data, matrix, boundsOf(*objectTriangles_[i].data, matrix)};
-    bounds_.add(known.bounds);
-  }
+  std::size_t object = 0;
+  for (const Mesh& mesh : scene_.meshes) addBounds(object++, mesh.data, mesh.worldFromObject);
+  for (const Volume& volume : scene_.volumes) addBounds(object++, unitCube(), worldFromUnitCube(volume));
+  for (const Spheres& spheres : scene_.spheres) addBounds(object++, spheres.data, spheres.worldFromObject);
 }
 
 void DeviceScene::requireSteps() const {
@@ -236,11 +258,11 @@ ObjectSet DeviceScene::makeSet(std::vector<shared::ObjectData> objects, const st
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].encloses) set.enclosing.push_back(std::uint32_t(i));
     if (!objects[i].encloses && objects[i].diffuse.w <= 0.0f) continue;
-    const TriangleRange range = geometry_.rangeOf(i);
-    if (!set.triangles.empty() && set.triangles.back().first + set.triangles.back().count == range.first)
-      set.triangles.back().count += range.count;
+    const scene::ObjectPlace place = scene::placeOf(scene_, i);
+    if (place.kind == scene::ObjectKind::Spheres)
+      addRange(set.spheres, spheres_.rangeOf(place.index));
     else
-      set.triangles.push_back(range);
+      addRange(set.triangles, geometry_.rangeOf(i));
   }
   set.objects = device::Buffer<shared::ObjectData>::fromHost(device_, objects, "objects");
   set.lists = device::Buffer<std::uint32_t>::fromHost(device_, lists, "lists of media");
@@ -254,7 +276,7 @@ ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) cons
   for (const unsigned object : casters) {
     casts[object] = true;
     bounds.add(objectBounds_[object].bounds);
-    if (objectMesh_[object] >= 0) extinction = std::max(extinction, scene_.meshes[object].interiorExtinction);
+    if (object < scene_.meshes.size()) extinction = std::max(extinction, scene_.meshes[object].interiorExtinction);
   }
   std::vector<shared::ObjectData> objects = hostObjects_;
   std::vector<std::uint32_t> lists;
@@ -283,6 +305,7 @@ device::ArgumentList DeviceScene::arguments(const ObjectSet& set,
   device::ArgumentList list{geometry_.triangles().cl(),
                             geometry_.positions().cl(),
                             geometry_.normals().cl(),
+                            spheres_.spheres().cl(),
                             set.objects.cl(),
                             set.lists.cl(),
                             media_.cl(),
@@ -300,13 +323,13 @@ std::vector<std::uint32_t> DeviceScene::objectsAround(const std::vector<std::uin
   std::vector<std::uint32_t> around;
   for (const std::uint32_t i : objects) {
     if (!objectBounds_[i].bounds.contains(pointWorld)) continue;
-    const int mesh = objectMesh_[i];
     long times = 0;
-    if (mesh >= 0) {
-      const Mesh& m = scene_.meshes[mesh];
+    if (i < scene_.meshes.size()) {
+      const Mesh& m = scene_.meshes[i];
       times = std::lround(std::abs(scene::windingNumber(*m.data, m.worldFromObject, pointWorld)));
     } else {
-      const glm::dmat4 unitFromWorld = glm::inverse(glm::dmat4(worldFromUnitCube(scene_.volumes[-1 - mesh])));
+      const glm::dmat4 unitFromWorld =
+          glm::inverse(glm::dmat4(worldFromUnitCube(scene_.volumes[i - scene_.meshes.size()])));
       const glm::dvec3 p(unitFromWorld * glm::dvec4(pointWorld, 1.0));
       times = glm::all(glm::greaterThan(p, glm::dvec3(0.0))) && glm::all(glm::lessThan(p, glm::dvec3(1.0)));
     }
@@ -326,8 +349,9 @@ std::vector<std::uint32_t> DeviceScene::objectsOfMedia() const {
 std::vector<float> DeviceScene::opaqueExtinctions(float threshold) const {
   std::vector<float> extinctions;
   for (std::size_t i = 0; i < hostMedia_.size(); ++i) {
-    const int mesh = objectMesh_[mediumOwner_[i]];
-    const float unitDistance = mesh < 0 ? scene_.volumes[-1 - mesh].transfer.unitDistance : 1.0f;
+    const scene::ObjectPlace place = scene::placeOf(scene_, mediumOwner_[i]);
+    const float unitDistance =
+        place.kind == scene::ObjectKind::Volume ? scene_.volumes[place.index].transfer.unitDistance : 1.0f;
     extinctions.push_back(threshold < kMostOpacity ? extinctionOf(threshold, unitDistance) : INFINITY);
   }
   return extinctions;

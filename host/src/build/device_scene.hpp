@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene on the device: triangles, objects, media, transfer tables and macrocells (shared/scene_data.h).
+// The scene on the device: triangles, spheres, objects, media, transfer tables and macrocells (shared/scene_data.h).
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 #include "build/geometry.hpp"
 #include "build/macrocell_pass.hpp"
 #include "build/object_set.hpp"
+#include "build/sphere_buffer.hpp"
 #include "build/volume_slots.hpp"
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
@@ -28,17 +29,20 @@ struct VolumeGrid {
 
 class DeviceScene {
  public:
-  explicit DeviceScene(device::Device& device) : device_(device), slots_(device), geometry_(device), cells_(device) {}
+  explicit DeviceScene(device::Device& device)
+      : device_(device), slots_(device), geometry_(device), spheres_(device), cells_(device) {}
 
-  /// Uploads a valid scene. Voxels and triangles that the last scene used too are not uploaded again.
+  /// Uploads a valid scene. Voxels, triangles and spheres that the last scene used too are not uploaded again.
   void update(const Scene& scene);
 
   const VolumeSlots& slots() const { return slots_; }
   const Geometry& geometry() const { return geometry_; }
+  const device::Buffer<shared::SceneSphere>& spheres() const { return spheres_.spheres(); }
+  bool hasSpheres() const { return !scene_.spheres.empty(); }
 
   /// All objects, as the camera and points to be answered see them.
   const ObjectSet& allObjects() const { return all_; }
-  /// What attenuates light if only these objects cast. Objects are numbered meshes first, then volumes.
+  /// What attenuates light if only these objects cast. Objects are numbered as in scene/objects.hpp.
   ObjectSet castingObjects(const std::vector<unsigned>& casters) const;
 
   /// Arguments of CDSM_SCENE_PARAMS, in its order. `initialObjects`: the objects that contain the eye of the view.
@@ -51,7 +55,7 @@ class DeviceScene {
   /// Host copy, for techniques that build structures of their own.
   const std::vector<shared::ObjectData>& hostObjects() const { return hostObjects_; }
   /// True for the box of a volume.
-  bool isBox(std::size_t object) const { return objectMesh_[object] < 0; }
+  bool isBox(std::size_t object) const;
   /// Per medium, the object that encloses it.
   std::vector<std::uint32_t> objectsOfMedia() const;
   /// Per medium, the extinction above which a sample's opacity is over `threshold`: that of a volume per its unit
@@ -75,6 +79,7 @@ class DeviceScene {
   void clear();
   void addMesh(const Scene& scene, std::size_t index);
   void addBox(const Scene& scene, std::size_t index);
+  void addSpheres(const Scene& scene, const Spheres& spheres);
   void addVolumeMedium(const Scene& scene, const Volume& volume);
   void updateBounds();
   void upload();
@@ -87,19 +92,21 @@ class DeviceScene {
   Scene scene_;  ///< what is on the device
   VolumeSlots slots_;
   Geometry geometry_;
+  SphereBuffer spheres_;
   ObjectSet all_;
   scene::Bounds bounds_;
 
   /// What an object's bounds were computed from.
   struct KnownBounds {
-    std::shared_ptr<const MeshData> data;
+    std::shared_ptr<const void> data;
     glm::mat4 worldFromObject{1.0f};
     scene::Bounds bounds;
   };
+  template <class Data>
+  void addBounds(std::size_t object, const std::shared_ptr<const Data>& data, const glm::mat4& worldFromObject);
   std::vector<KnownBounds> objectBounds_;
   std::vector<ObjectTriangles> objectTriangles_;
   std::vector<shared::ObjectData> hostObjects_;
-  std::vector<int> objectMesh_;  ///< per object: its mesh, or -1 - volume for a volume's box
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
   std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box

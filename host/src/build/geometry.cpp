@@ -27,8 +27,8 @@ void Geometry::update(std::vector<ObjectTriangles> objects) {
 void Geometry::append(const ObjectTriangles& object) {
   const MeshData& data = *object.data;
   const std::size_t first = hostPositions_.size() / 3;
-  if (first + data.positions.size() > 0xffffffffu || hostTriangles_.size() + data.triangles.size() > 0x7fffffffu)
-    throw Error("the scene has more than 2^31 triangles or 2^32 vertices, which their numbers cannot hold");
+  if (first + data.positions.size() > 0xffffffffu || hostTriangles_.size() + data.triangles.size() > 0x3fffffffu)
+    throw Error("the scene has more than 2^30 triangles or 2^32 vertices, which their numbers cannot hold");
   const auto number = shared::uint(ranges_.size());
   ranges_.push_back({hostTriangles_.size(), data.triangles.size()});
   for (const glm::vec3& p : data.positions) hostPositions_.insert(hostPositions_.end(), {p.x, p.y, p.z});

@@ -20,8 +20,8 @@ struct ObjectTriangles {
   bool operator==(const ObjectTriangles& other) const { return data == other.data && flip == other.flip; }
 };
 
-/// Triangles first .. first + count - 1.
-struct TriangleRange {
+/// Triangles, or spheres, first .. first + count - 1.
+struct PrimitiveRange {
   std::size_t first = 0, count = 0;
 };
 
@@ -32,7 +32,7 @@ class Geometry {
   /// Uploads the triangles of the objects, in their order, unless they are what is there already.
   void update(std::vector<ObjectTriangles> objects);
 
-  const TriangleRange& rangeOf(std::size_t object) const { return ranges_[object]; }
+  const PrimitiveRange& rangeOf(std::size_t object) const { return ranges_[object]; }
   /// Corners, w: object.
   const std::vector<shared::uint4>& hostTriangles() const { return hostTriangles_; }
   const std::vector<float>& hostPositions() const { return hostPositions_; }
@@ -46,7 +46,7 @@ class Geometry {
   device::Device& device_;
   std::vector<ObjectTriangles> objects_;
   bool uploaded_ = false;
-  std::vector<TriangleRange> ranges_;
+  std::vector<PrimitiveRange> ranges_;
   std::vector<shared::uint4> hostTriangles_;
   std::vector<float> hostPositions_, hostNormals_;
   device::Buffer<shared::uint4> triangles_;

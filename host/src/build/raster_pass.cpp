@@ -7,82 +7,80 @@ namespace cdsm::build {
 
 namespace {
 
-constexpr std::size_t kGroup = 64;
-constexpr std::size_t kLargeGroups = 128;
+constexpr ScreenListNames kTriangleNames{"set up triangles",
+                                         "count tile pairs",
+                                         "count tile pairs of large triangles",
+                                         "fill tile pairs",
+                                         "fill tile pairs of large triangles",
+                                         "screen triangles"};
+constexpr ScreenListNames kSphereNames{"set up spheres",
+                                       "count tile pairs of spheres",
+                                       "count tile pairs of large spheres",
+                                       "fill tile pairs of spheres",
+                                       "fill tile pairs of large spheres",
+                                       "screen spheres"};
 
-const cl::Program& rasterProgram(device::Device& device) {
-  return device.programs().get({"build/rasterize.cl", {}, {}});
-}
-const cl::Program& sortProgram(device::Device& device) {
-  return device.programs().get({"build/sort_fragments.cl", {}, {}});
-}
+const cl::Program& programOf(device::Device& device, const char* file) { return device.programs().get({file, {}, {}}); }
 
 }  // namespace
 
 RasterPass::RasterPass(device::Device& device)
     : device_(device),
       scan_(device),
-      counters_(device, 1, "raster counters"),
-      setupTriangles_(device, rasterProgram(device), "setupTriangles"),
-      countPairs_(device, rasterProgram(device), "countPairs"),
-      countPairsLarge_(device, rasterProgram(device), "countPairsLarge"),
-      fillPairs_(device, rasterProgram(device), "fillPairs"),
-      fillPairsLarge_(device, rasterProgram(device), "fillPairsLarge"),
-      sortFragments_(device, sortProgram(device), "sortFragments") {
+      triangles_(device, "\"build/screen_triangle.clh\"", kTriangleNames),
+      spheres_(device, "\"build/screen_sphere.clh\"", kSphereNames),
+      setupTriangles_(device, programOf(device, "build/setup_triangles.cl"), "setupTriangles"),
+      setupSpheres_(device, programOf(device, "build/setup_spheres.cl"), "setupSpheres"),
+      sortFragments_(device, programOf(device, "build/sort_fragments.cl"), "sortFragments") {
   const auto name = [&](auto& buffer, const char* text) { buffer = std::decay_t<decltype(buffer)>(device, 0, text); };
-  name(screen_, "screen triangles");
-  name(large_, "large triangles");
-  name(tilePairs_, "pairs per tile");
-  name(tileFragments_, "fragments per tile");
-  name(tileStart_, "first pairs of tiles");
-  name(tileFragmentStart_, "first fragments of tiles");
-  name(tileCursor_, "cursors of tiles");
-  name(masks_, "coverage masks");
-  name(owners_, "triangles of coverage masks");
+  name(tiles_.pairs, "pairs per tile");
+  name(tiles_.fragments, "fragments per tile");
+  name(tiles_.start, "first pairs of tiles");
+  name(tiles_.fragmentStart, "first fragments of tiles");
+  name(tiles_.cursor, "cursors of tiles");
+  name(tiles_.masks, "coverage masks");
+  name(tiles_.owners, "owners of coverage masks");
   name(layers_.fragments, "fragments");
   name(layers_.ranges, "fragment ranges");
 }
 
-void RasterPass::setup(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
-                       const Report& report) {
-  std::size_t triangles = 0;
-  for (const TriangleRange& range : objects.triangles) triangles += range.count;
-  screen_.reserve(triangles + 64);
-  large_.reserve(screen_.size());
-  for (;;) {
-    params_.capacity = shared::uint(screen_.size());
-    counters_.fill({});
-    for (const TriangleRange& range : objects.triangles) {
-      params_.firstTriangle = shared::uint(range.first);
-      params_.triangleCount = shared::uint(range.count);
-      setupTriangles_({"set up triangles", {range.count}, {kGroup}}, params_, view, scene.geometry().triangles(),
-                      scene.geometry().positions(), objects.objects, screen_, counters_, large_);
-    }
-    const std::size_t wanted = counters_.read(0).screenTriangles;
-    screenTriangles_ = wanted;
-    if (wanted <= screen_.size()) return;
-    report("room for screen triangles grown from " + std::to_string(screen_.size()) + " to " + std::to_string(wanted) +
-           ", clipping made more of them; triangles set up again");
-    screen_.reserve(wanted);
-    large_.reserve(screen_.size());
-  }
+void RasterPass::setUpTriangles(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                                const Report& report) {
+  using List = ScreenList<shared::ScreenTriangle>;
+  const auto setUp = [&](const shared::SetupParams& params, List& list) {
+    setupTriangles_({list.names().setUp, {params.count}, {List::kGroup}}, params, view, scene.geometry().triangles(),
+                    scene.geometry().positions(), objects.objects, list.screen(), list.counters(), list.large());
+  };
+  triangles_.setUp(objects.triangles, setUp, report);
 }
 
-void RasterPass::countTiles(const shared::ViewData& view) {
-  tilePairs_.fill(0);
-  tileFragments_.fill(0);
-  countPairs_({"count tile pairs", {screenTriangles_}, {kGroup}}, params_, view, screen_, counters_, tilePairs_,
-              tileFragments_);
-  countPairsLarge_({"count tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
-                   counters_, large_, tilePairs_, tileFragments_);
+void RasterPass::setUpSpheres(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                              const Report& report) {
+  using List = ScreenList<shared::ScreenSphere>;
+  const auto setUp = [&](const shared::SetupParams& params, List& list) {
+    setupSpheres_({list.names().setUp, {params.count}, {List::kGroup}}, params, view, scene.spheres(), objects.objects,
+                  list.screen(), list.counters(), list.large());
+  };
+  spheres_.setUp(objects.spheres, setUp, report);
 }
 
-void RasterPass::fillTiles(const shared::ViewData& view) {
-  tileCursor_.fill(0);
-  fillPairs_({"fill tile pairs", {screenTriangles_}, {kGroup}}, params_, view, screen_, counters_, tileStart_,
-             tileCursor_, masks_, owners_);
-  fillPairsLarge_({"fill tile pairs of large triangles", {kLargeGroups * kGroup}, {kGroup}}, params_, view, screen_,
-                  counters_, large_, tileStart_, tileCursor_, masks_, owners_);
+std::size_t RasterPass::fillTiles(const shared::ViewData& view, std::size_t tiles) {
+  tiles_.pairs.reserve(tiles);
+  tiles_.fragments.reserve(tiles);
+  tiles_.cursor.reserve(tiles);
+  tiles_.start.reserve(tiles + 1);
+  tiles_.fragmentStart.reserve(tiles + 1);
+  tiles_.pairs.fill(0);
+  tiles_.fragments.fill(0);
+  tiles_.cursor.fill(0);
+  triangles_.count(view, tiles_);
+  spheres_.count(view, tiles_);
+  const std::size_t pairs = scan_(tiles, tiles_.pairs, tiles_.start);
+  tiles_.masks.reserve(pairs);
+  tiles_.owners.reserve(pairs);
+  triangles_.fill(view, tiles_);
+  spheres_.fill(view, tiles_);
+  return scan_(tiles, tiles_.fragments, tiles_.fragmentStart);
 }
 
 Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view,
@@ -95,28 +93,18 @@ Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shar
   layers_.initialObjects = Uints::fromHost(device_, around, "objects around the eye");
 
   const std::size_t tiles = std::size_t(view.tilesX) * view.tilesY;
-  tilePairs_.reserve(tiles);
-  tileFragments_.reserve(tiles);
-  tileCursor_.reserve(tiles);
-  tileStart_.reserve(tiles + 1);
-  tileFragmentStart_.reserve(tiles + 1);
   layers_.ranges.reserve(tiles * CDSM_TILE_PIXELS);
-
-  setup(scene, objects, view, report);
-  countTiles(view);
-  const std::size_t pairs = scan_(tiles, tilePairs_, tileStart_);
-  const std::size_t fragments = scan_(tiles, tileFragments_, tileFragmentStart_);
-  const std::size_t slots = fragments + tiles * CDSM_TILE_PIXELS * around.size();
+  setUpTriangles(scene, objects, view, report);
+  setUpSpheres(scene, objects, view, report);
+  const std::size_t slots = fillTiles(view, tiles) + tiles * CDSM_TILE_PIXELS * around.size();
   if (slots > 0xffffffffu)
     throw DeviceError("a view of " + std::to_string(view.width) + " x " + std::to_string(view.height) +
                       " pixels needs room for " + std::to_string(slots) +
                       " fragments, must be below 2^32; take a smaller image or map");
-  masks_.reserve(pairs);
-  owners_.reserve(pairs);
   layers_.fragments.reserve(slots);
-  fillTiles(view);
-  sortFragments_({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, screen_, tileStart_,
-                 tileFragmentStart_, masks_, owners_, layers_.fragments, layers_.ranges);
+  sortFragments_({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, triangles_.screen(),
+                 spheres_.screen(), tiles_.start, tiles_.fragmentStart, tiles_.masks, tiles_.owners, layers_.fragments,
+                 layers_.ranges);
   return layers_;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles -> fragments of every pixel of a view, sorted from near to far [Knecht 2011, §3.1.1, §3.1.2].
+// Triangles and spheres -> fragments of every pixel of a view, sorted from near to far [Knecht 2011, §3.1.1, §3.1.2].
 #pragma once
 
 #include <functional>
 #include <string>
 
 #include "build/device_scene.hpp"
+#include "build/screen_list.hpp"
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
 #include "device/scan.hpp"
@@ -14,7 +15,8 @@
 
 namespace cdsm::build {
 
-/// Fragments of a view; valid until the next run of the pass that made them. The passes that walk them use them up.
+/// Fragments of a view, without those that lie behind an opaque sphere; valid until the next run of the pass that made
+/// them. The passes that walk them use them up.
 struct Layers {
   shared::ViewData view;
   device::Buffer<std::uint64_t> fragments;
@@ -35,36 +37,31 @@ class RasterPass {
 
  private:
   using Uints = device::Buffer<std::uint32_t>;
-  using Screen = device::Buffer<shared::ScreenTriangle>;
   using Counters = device::Buffer<shared::RasterCounters>;
 
-  void setup(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view, const Report& report);
-  void countTiles(const shared::ViewData& view);
-  void fillTiles(const shared::ViewData& view);
+  void setUpTriangles(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                      const Report& report);
+  void setUpSpheres(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                    const Report& report);
+  /// Pairs of all tiles; returns the number of their fragments.
+  std::size_t fillTiles(const shared::ViewData& view, std::size_t tiles);
 
   device::Device& device_;
   device::Scan scan_;
   Layers layers_;
-  shared::SetupParams params_{};
-  std::size_t screenTriangles_ = 0;
-  Screen screen_;
-  Counters counters_;
-  Uints large_, tilePairs_, tileFragments_, tileStart_, tileFragmentStart_, tileCursor_, owners_;
-  device::Buffer<std::uint64_t> masks_;
+  ScreenList<shared::ScreenTriangle> triangles_;
+  ScreenList<shared::ScreenSphere> spheres_;
+  TileBuffers tiles_;
 
   device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::uint4>, device::Buffer<float>,
-                 device::Buffer<shared::ObjectData>, Screen, Counters, Uints>
+                 device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenTriangle>, Counters, Uints>
       setupTriangles_;
-  device::Kernel<shared::SetupParams, shared::ViewData, Screen, Counters, Uints, Uints> countPairs_;
-  device::Kernel<shared::SetupParams, shared::ViewData, Screen, Counters, Uints, Uints, Uints> countPairsLarge_;
-  device::Kernel<shared::SetupParams, shared::ViewData, Screen, Counters, Uints, Uints, device::Buffer<std::uint64_t>,
-                 Uints>
-      fillPairs_;
-  device::Kernel<shared::SetupParams, shared::ViewData, Screen, Counters, Uints, Uints, Uints,
-                 device::Buffer<std::uint64_t>, Uints>
-      fillPairsLarge_;
-  device::Kernel<shared::ViewData, Screen, Uints, Uints, device::Buffer<std::uint64_t>, Uints,
-                 device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>>
+  device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::SceneSphere>,
+                 device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenSphere>, Counters, Uints>
+      setupSpheres_;
+  device::Kernel<shared::ViewData, device::Buffer<shared::ScreenTriangle>, device::Buffer<shared::ScreenSphere>, Uints,
+                 Uints, device::Buffer<std::uint64_t>, Uints, device::Buffer<std::uint64_t>,
+                 device::Buffer<shared::uint2>>
       sortFragments_;
 };
 

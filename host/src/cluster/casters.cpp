@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/objects.hpp"
+
 namespace cdsm::cluster {
 
 namespace {
@@ -77,7 +79,7 @@ std::array<glm::dvec3, 3> sideNormals(const glm::dmat4& worldFromBox) {
   return normals;
 }
 
-Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape, bool opaque) {
+Caster meshShape(const Mesh& mesh, const KnownShapes::Shape& shape, bool opaque) {
   Caster caster;
   const glm::dmat4 matrix(mesh.worldFromObject);
   caster.weight = mesh.shadow.weight;
@@ -94,6 +96,31 @@ Caster meshShape(const Mesh& mesh, const MeshShapes::Shape& shape, bool opaque) 
   return caster;
 }
 
+/// Corners of a body with 26 sides around all spheres: those of their box, its edges and corners cut off.
+std::vector<glm::dvec3> hullOf(const SphereData& data, const scene::Bounds& bounds) {
+  ConvexBody body = ConvexBody::box(bounds);
+  for (int direction = 0; direction < 27; ++direction) {
+    const glm::dvec3 way(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+    if (glm::dot(way, way) < 1.5) continue;  // the box's own sides
+    const glm::dvec3 outwards = glm::normalize(way);
+    double farthest = -INFINITY;
+    for (std::size_t i = 0; i < data.centers.size(); ++i)
+      farthest = std::max(farthest, glm::dot(outwards, glm::dvec3(data.centers[i])) + double(data.radii[i]));
+    body.clip({-outwards, farthest});
+  }
+  return body.vertices();
+}
+
+Caster spheresShape(const Spheres& spheres, const KnownShapes::Shape& shape) {
+  Caster caster;
+  const glm::dmat4 matrix(spheres.worldFromObject);
+  caster.weight = spheres.shadow.weight;
+  caster.corners = boxCorners(shape.bounds, matrix);
+  caster.normals = sideNormals(matrix);
+  for (const glm::dvec3& p : shape.hull) caster.hull.emplace_back(matrix * glm::dvec4(p, 1.0));
+  return caster;
+}
+
 Caster volumeShape(const Volume& volume) {
   Caster caster;
   const glm::dmat4 matrix(scene::worldFromIndex(volume));
@@ -105,54 +132,68 @@ Caster volumeShape(const Volume& volume) {
 
 }  // namespace
 
-const MeshShapes::Shape& MeshShapes::of(const std::shared_ptr<const MeshData>& data) {
+const KnownShapes::Shape& KnownShapes::of(const std::shared_ptr<const MeshData>& data) {
   const auto known = shapes_.find(data.get());
   if (known != shapes_.end()) return known->second.shape;
   Shape shape;
-  for (const glm::vec3& p : data->positions) shape.bounds.add(p);
+  shape.bounds = scene::boundsOf(*data, glm::mat4(1.0f));
   if (data->positions.empty()) shape.bounds.add(glm::vec3(0.0f));
   shape.plane = planeOf(*data, shape.bounds.diagonal());
   if (shape.plane) shape.outline = filledOutline(*data, shape.plane->normal);
   return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
 }
 
-void MeshShapes::keepOnly(const Scene& scene) {
+const KnownShapes::Shape& KnownShapes::of(const std::shared_ptr<const SphereData>& data) {
+  const auto known = shapes_.find(data.get());
+  if (known != shapes_.end()) return known->second.shape;
+  Shape shape;
+  shape.bounds = scene::boundsOf(*data, glm::mat4(1.0f));
+  shape.hull = hullOf(*data, shape.bounds);
+  return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
+}
+
+void KnownShapes::keepOnly(const Scene& scene) {
+  const auto usedBy = [](const auto& objects, const void* data) {
+    return std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return object.data.get() == data; });
+  };
   for (auto entry = shapes_.begin(); entry != shapes_.end();) {
-    const bool used = std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                                  [&](const Mesh& mesh) { return mesh.data.get() == entry->first; });
+    const bool used = usedBy(scene.meshes, entry->first) || usedBy(scene.spheres, entry->first);
     entry = used ? std::next(entry) : shapes_.erase(entry);
   }
 }
 
 bool casts(const Scene& scene, unsigned object) {
-  if (object < scene.meshes.size()) {
-    const Mesh& mesh = scene.meshes[object];
+  const scene::ObjectPlace place = scene::placeOf(scene, object);
+  if (place.kind == scene::ObjectKind::Mesh) {
+    const Mesh& mesh = scene.meshes[place.index];
     return mesh.shadow.casts && !mesh.data->triangles.empty() &&
            (scene.materials[mesh.material].opacity > 0.0f || mesh.interiorExtinction > 0.0f);
   }
-  const Volume& volume = scene.volumes[object - scene.meshes.size()];
+  if (place.kind == scene::ObjectKind::Spheres) {
+    const Spheres& spheres = scene.spheres[place.index];
+    return spheres.shadow.casts && scene.materials[spheres.material].opacity > 0.0f;
+  }
+  const Volume& volume = scene.volumes[place.index];
   const auto& curve = volume.transfer.towardsLights();
   return volume.shadow.casts && std::any_of(curve.begin(), curve.end(), [](const auto& p) { return p.opacity > 0.0f; });
 }
 
-std::vector<Caster> objectShapes(const Scene& scene, MeshShapes& shapes) {
+std::vector<Caster> objectShapes(const Scene& scene, KnownShapes& shapes) {
   std::vector<Caster> list;
   for (const Mesh& mesh : scene.meshes)
     list.push_back(meshShape(mesh, shapes.of(mesh.data), scene.materials[mesh.material].opacity >= 1.0f));
   for (const Volume& volume : scene.volumes) list.push_back(volumeShape(volume));
+  for (const Spheres& spheres : scene.spheres) list.push_back(spheresShape(spheres, shapes.of(spheres.data)));
   for (std::size_t i = 0; i < list.size(); ++i) list[i].object = unsigned(i);
   return list;
 }
 
-std::vector<glm::dvec3> hullPoints(const Scene& scene, unsigned object) {
+std::vector<glm::dvec3> hullPoints(const Scene& scene, const Caster& shape) {
+  if (shape.object >= scene.meshes.size()) return shape.hull.empty() ? shape.corners : shape.hull;
   std::vector<glm::dvec3> points;
-  if (object < scene.meshes.size()) {
-    const Mesh& mesh = scene.meshes[object];
-    for (const glm::vec3& p : mesh.data->positions) points.emplace_back(mesh.worldFromObject * glm::vec4(p, 1.0f));
-    return points;
-  }
-  const Volume& volume = scene.volumes[object - scene.meshes.size()];
-  return boxCorners(indexBounds(volume), glm::dmat4(scene::worldFromIndex(volume)));
+  const Mesh& mesh = scene.meshes[shape.object];
+  for (const glm::vec3& p : mesh.data->positions) points.emplace_back(mesh.worldFromObject * glm::vec4(p, 1.0f));
+  return points;
 }
 
 }  // namespace cdsm::cluster

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/objects.hpp"
+
 namespace cdsm::cluster {
 
 namespace {
 
 /// Points nearer to the light than this part of the scene's size have no place in its picture.
 constexpr double kNearPart = 1e-4;
-/// Of the outlines of volumes, whose shadows mostly fade out; of meshes 1.
+/// Of the outlines of volumes, whose shadows mostly fade out; of others 1.
 constexpr double kVolumeSharpness = 0.25;
 /// Of outlines that the camera does not see: they should not spoil the maps of what it sees.
 constexpr double kHiddenSharpness = 1e-6;
@@ -126,7 +128,7 @@ LightPlan planLight(const Scene& scene, const Light& light, const std::vector<Ca
     if (hidden && purpose == Purpose::Image) continue;
     ClusterItem item;
     item.weight = shape.weight;
-    if (shape.object >= scene.meshes.size()) item.sharpness = kVolumeSharpness;
+    if (scene::placeOf(scene, shape.object).kind == scene::ObjectKind::Volume) item.sharpness = kVolumeSharpness;
     if (hidden) item.sharpness *= kHiddenSharpness;
     for (const Direction& direction : directions) item.directions.push_back(extentsIn(direction, shape));
     if (std::none_of(item.directions.begin(), item.directions.end(), [](const Extents& e) { return e.seen; })) continue;

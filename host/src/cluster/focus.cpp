@@ -9,6 +9,7 @@
 #include "cluster/light_camera.hpp"
 #include "cluster/light_space.hpp"
 #include "cluster/planar_hull.hpp"
+#include "scene/objects.hpp"
 
 namespace cdsm::cluster {
 
@@ -262,9 +263,10 @@ std::vector<MapView> focusedViews(const Scene& scene, const Light& light, const 
                                   const std::vector<unsigned>& objects, int mapSize) {
   std::vector<Seen> seen;
   for (const unsigned object : objects) {
-    seen.push_back({hullPoints(scene, object), &shapes[object], {}});
-    const int cutter = object < scene.meshes.size() ? -1 : scene.volumes[object - scene.meshes.size()].boundary;
-    if (cutter >= 0) seen.back().cut = hullPoints(scene, unsigned(cutter));
+    seen.push_back({hullPoints(scene, shapes[object]), &shapes[object], {}});
+    const scene::ObjectPlace place = scene::placeOf(scene, object);
+    const int cutter = place.kind == scene::ObjectKind::Volume ? scene.volumes[place.index].boundary : -1;
+    if (cutter >= 0) seen.back().cut = hullPoints(scene, shapes[std::size_t(cutter)]);
   }
   const double nearDepth = lightNearDepth(light, boundsOf(shapes, objects));
   if (light.type == LightType::Omni) return omniViews(light, seen, nearDepth, mapSize);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/objects.hpp"
+
 namespace cdsm::engine {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr glm::vec3 kNoCluster(0.45f);
 /// Number of the cluster that each object of the scene casts in, or kNothing; `light` is number of their light.
 std::vector<std::int64_t> clusterOfObjects(const Scene& scene, const std::vector<technique::MapCluster>& clusters,
                                            std::size_t light) {
-  std::vector<std::int64_t> numbers(scene.meshes.size() + scene.volumes.size(), kNothing);
+  std::vector<std::int64_t> numbers(scene::objectCount(scene), kNothing);
   for (const technique::MapCluster& cluster : clusters) {
     if (cluster.light != light || cluster.former) continue;
     for (const unsigned object : cluster.objects) numbers[object] = cluster.number;
@@ -64,13 +66,22 @@ Scene inClusterColors(Scene scene, const std::vector<technique::MapCluster>& clu
     return numbers[object] == kNothing ? kNoCluster : clusterColor(unsigned(numbers[object]));
   };
   std::vector<Material> materials;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    Mesh& mesh = scene.meshes[i];
-    Material material = scene.materials[mesh.material];
-    material.diffuse = mesh.interiorColor = colorOf(i);
+  const auto paint = [&](int& index, const glm::vec3& color) {
+    Material material = scene.materials[index];
+    material.diffuse = color;
     material.specular = glm::vec3(0.0f);
-    mesh.material = int(materials.size());
+    index = int(materials.size());
     materials.push_back(material);
+  };
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    scene.meshes[i].interiorColor = colorOf(i);
+    paint(scene.meshes[i].material, colorOf(i));
+  }
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    Spheres& spheres = scene.spheres[i];
+    paint(spheres.material, colorOf(scene::firstSpheres(scene) + i));
+    if (!spheres.data->colors.empty())
+      spheres.data = std::make_shared<SphereData>(SphereData{spheres.data->centers, spheres.data->radii, {}});
   }
   scene.materials = std::move(materials);
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {

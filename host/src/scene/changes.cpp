@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "scene/objects.hpp"
+
 namespace cdsm::scene {
 
 namespace {
@@ -13,6 +15,9 @@ auto key(const ShadowRole& r) { return std::tie(r.casts, r.receives, r.weight); 
 auto key(const Mesh& m) {
   return std::tuple_cat(std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor),
                         key(m.shadow));
+}
+auto key(const Spheres& s) {
+  return std::tuple_cat(std::tie(s.name, s.data, s.material, s.worldFromObject), key(s.shadow));
 }
 auto key(const TransferFunction::OpacityPoint& p) { return std::tie(p.value, p.opacity); }
 auto key(const TransferFunction::ColorPoint& p) { return std::tie(p.value, p.color); }
@@ -43,31 +48,18 @@ bool sameLists(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
 }
 
-}  // namespace
-
-bool sameObjects(const Scene& a, const Scene& b) {
-  return sameLists(a.materials, b.materials) && sameLists(a.meshes, b.meshes) && sameLists(a.volumes, b.volumes) &&
-         a.shadows.step == b.shadows.step && a.shadows.tolerance == b.shadows.tolerance;
+auto meshCaster(const Scene& scene, std::size_t index) {
+  const Mesh& m = scene.meshes[index];
+  return std::tie(m.data, m.worldFromObject, m.interiorExtinction, m.shadow.casts, scene.materials[m.material].opacity);
 }
 
-bool sameObjectNames(const Scene& a, const Scene& b) {
-  const auto sameNames = [](const auto& x, const auto& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                      [](const auto& p, const auto& q) { return p.name == q.name; });
-  };
-  return sameNames(a.meshes, b.meshes) && sameNames(a.volumes, b.volumes);
+auto spheresCaster(const Scene& scene, std::size_t index) {
+  const Spheres& s = scene.spheres[index];
+  return std::tie(s.data, s.worldFromObject, s.shadow.casts, scene.materials[s.material].opacity);
 }
 
-CasterChange casterChange(const Scene& a, const Scene& b, unsigned object) {
-  if (object < a.meshes.size()) {
-    const auto caster = [&](const Scene& scene) {
-      const Mesh& m = scene.meshes[object];
-      return std::tie(m.data, m.worldFromObject, m.interiorExtinction, m.shadow.casts,
-                      scene.materials[m.material].opacity);
-    };
-    return caster(a) == caster(b) ? CasterChange::None : CasterChange::Other;
-  }
-  const Volume &v = a.volumes[object - a.meshes.size()], &w = b.volumes[object - a.meshes.size()];
+CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
+  const Volume &v = a.volumes[index], &w = b.volumes[index];
   const auto grid = [](const Volume& x) { return std::tie(x.data, x.worldFromObject, x.boundary, x.shadow.casts); };
   if (grid(v) != grid(w)) return CasterChange::Other;
   if (v.boundary >= 0) {
@@ -77,6 +69,31 @@ CasterChange casterChange(const Scene& a, const Scene& b, unsigned object) {
   const TransferFunction &s = v.transfer, &t = w.transfer;
   const bool same = s.unitDistance == t.unitDistance && sameLists(s.towardsLights(), t.towardsLights());
   return same ? CasterChange::None : CasterChange::TransferFunction;
+}
+
+}  // namespace
+
+bool sameObjects(const Scene& a, const Scene& b) {
+  return sameLists(a.materials, b.materials) && sameLists(a.meshes, b.meshes) && sameLists(a.volumes, b.volumes) &&
+         sameLists(a.spheres, b.spheres) && a.shadows.step == b.shadows.step &&
+         a.shadows.tolerance == b.shadows.tolerance;
+}
+
+bool sameObjectNames(const Scene& a, const Scene& b) {
+  const auto sameNames = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](const auto& p, const auto& q) { return p.name == q.name; });
+  };
+  return sameNames(a.meshes, b.meshes) && sameNames(a.volumes, b.volumes) && sameNames(a.spheres, b.spheres);
+}
+
+CasterChange casterChange(const Scene& a, const Scene& b, unsigned object) {
+  const ObjectPlace place = placeOf(a, object);
+  if (place.kind == ObjectKind::Volume) return volumeChange(a, b, place.index);
+  const bool mesh = place.kind == ObjectKind::Mesh;
+  const bool same = mesh ? meshCaster(a, place.index) == meshCaster(b, place.index)
+                         : spheresCaster(a, place.index) == spheresCaster(b, place.index);
+  return same ? CasterChange::None : CasterChange::Other;
 }
 
 LightChange lightChange(const Light& a, const Light& b) {
@@ -105,11 +122,13 @@ bool sameTransmittance(const Scene& a, const Scene& b) {
     return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.samples, s.clusters, s.clusterDistance, s.cache);
   };
   if (!sameMapSettings(a.shadows, b.shadows) || settings(a.shadows) != settings(b.shadows)) return false;
-  if (a.lights.size() != b.lights.size() || a.meshes.size() != b.meshes.size() || a.volumes.size() != b.volumes.size())
-    return false;
+  const auto counts = [](const Scene& s) {
+    return std::make_tuple(s.lights.size(), s.meshes.size(), s.volumes.size(), s.spheres.size());
+  };
+  if (counts(a) != counts(b)) return false;
   for (std::size_t i = 0; i < a.lights.size(); ++i)
     if (lightChange(a.lights[i], b.lights[i]) != LightChange::None) return false;
-  for (unsigned i = 0; i < a.meshes.size() + a.volumes.size(); ++i)
+  for (unsigned i = 0; i < objectCount(a); ++i)
     if (casterChange(a, b, i) != CasterChange::None) return false;
   return true;
 }

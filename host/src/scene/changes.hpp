@@ -6,16 +6,16 @@
 
 namespace cdsm::scene {
 
-/// Meshes, volumes and materials, and what of the settings goes into them.
+/// Meshes, volumes, spheres and materials, and what of the settings goes into them.
 bool sameObjects(const Scene& a, const Scene& b);
 
-/// Meshes and volumes of the same names in the same order.
+/// Meshes, volumes and spheres of the same names in the same order.
 bool sameObjectNames(const Scene& a, const Scene& b);
 
 /// How an object attenuates light; what only colours it does not count.
 enum class CasterChange { None, TransferFunction, Other };
 
-/// Of an object (numbered meshes first, then volumes) of two scenes with the same names. The mesh that cuts a volume
+/// Of an object, by its number, of two scenes with the same names. The mesh that cuts a volume
 /// belongs to the volume.
 CasterChange casterChange(const Scene& a, const Scene& b, unsigned object);
 

@@ -30,6 +30,12 @@ void DataChecks::requireValid(const std::shared_ptr<const VolumeData>& data, con
   remember(data);
 }
 
+void DataChecks::requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what) {
+  if (find(data)) return;
+  validateSphereData(*data, what);
+  remember(data);
+}
+
 std::size_t DataChecks::openEdges(const std::shared_ptr<const MeshData>& data) {
   Known* known = find(data);
   if (known && known->openEdges) return *known->openEdges;

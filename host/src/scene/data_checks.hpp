@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of meshes and volumes that look at each of them once, however many scenes it is part of.
+// Checks of meshes, volumes and spheres that look at each of them once, however many scenes it is part of.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,10 @@ namespace cdsm::scene {
 /// Does not keep them alive. For one thread.
 class DataChecks {
  public:
-  /// validateMeshData() and validateVolumeData(), unless the same data passed before.
+  /// validateMeshData(), validateVolumeData() and validateSphereData(), unless the same data passed before.
   void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what);
   void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what);
+  void requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what);
 
   /// openEdges() of valid data.
   std::size_t openEdges(const std::shared_ptr<const MeshData>& data);

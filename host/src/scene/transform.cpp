@@ -12,6 +12,9 @@ namespace {
 /// Determinant over the product of the columns' lengths, below which a float inverse is mostly rounding error.
 constexpr double kFlat = 1e-6;
 
+/// Part of the scale by which the axes of a similarity may differ in length, and from right angles.
+constexpr double kAlike = 1e-5;
+
 bool isFinite(const glm::mat4& matrix) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
@@ -39,6 +42,15 @@ bool isInvertibleAffine(const glm::mat4& matrix) {
   const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
   if (!(std::abs(glm::determinant(linear)) > kFlat * size)) return false;
   return isFinite(glm::inverse(matrix));
+}
+
+bool isSimilarity(const glm::mat4& matrix) {
+  const glm::dmat3 linear(matrix), squares = glm::transpose(linear) * linear;
+  const double square = squares[0][0];
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      if (std::abs(squares[column][row] - (row == column ? square : 0.0)) > kAlike * square) return false;
+  return true;
 }
 
 }  // namespace cdsm::scene

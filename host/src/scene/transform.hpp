@@ -14,4 +14,7 @@ glm::mat4 composeTransform(const glm::vec3& position, const glm::vec3& axis, flo
 /// not all rounding.
 bool isInvertibleAffine(const glm::mat4& matrix);
 
+/// True when an invertible matrix scales all axes alike, up to rounding: it turns spheres into spheres.
+bool isSimilarity(const glm::mat4& matrix);
+
 }  // namespace cdsm::scene

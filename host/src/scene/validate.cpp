@@ -2,6 +2,7 @@
 // Checks of whole scenes, cameras, lights and objects; the grids, triangles and curves are in validate_data.cpp.
 #include "scene/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <cdsm/error.hpp>
@@ -56,17 +57,25 @@ std::vector<glm::vec3> boxCorners(const VolumeData& data) {
 }
 
 /// Points beyond the range of coordinates would overflow on the way to the screen; in double they do not here.
-void requireReach(const std::vector<glm::vec3>& points, const glm::dmat4& worldFromPoints, const std::string& what) {
+/// `reach`: of what is around each point, in the world.
+void requireReach(const std::vector<glm::vec3>& points, const glm::dmat4& worldFromPoints, const std::string& what,
+                  double reach = 0.0) {
   glm::dvec3 low(0.0), high(0.0);
   for (const glm::vec3& point : points) {
     const glm::dvec3 world(worldFromPoints * glm::dvec4(point, 1.0));
-    low = glm::min(low, world);
-    high = glm::max(high, world);
+    low = glm::min(low, world - reach);
+    high = glm::max(high, world + reach);
   }
   for (int axis = 0; axis < 3; ++axis) {
     requireRange(low[axis], kCoordinate, what + ": its lowest coordinate in the world");
     requireRange(high[axis], kCoordinate, what + ": its highest coordinate in the world");
   }
+}
+
+void requireMaterial(int material, std::size_t materialCount, const std::string& what) {
+  if (material >= 0 && static_cast<std::size_t>(material) < materialCount) return;
+  throw Error(what + ": material index is " + std::to_string(material) + ", must be below the number of materials, " +
+              std::to_string(materialCount));
 }
 
 void requireClosed(const Mesh& mesh, DataChecks& checks, const std::string& why) {
@@ -154,10 +163,7 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& check
   requireTransform(mesh.worldFromObject, what);
   checks.requireValid(mesh.data, what);
   requireReach(mesh.data->positions, mesh.worldFromObject, what);
-  if (mesh.material < 0 || static_cast<std::size_t>(mesh.material) >= materialCount) {
-    throw Error(what + ": material index is " + std::to_string(mesh.material) + ", must be below the number of " +
-                "materials, " + std::to_string(materialCount));
-  }
+  requireMaterial(mesh.material, materialCount, what);
   requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
   requireVector(mesh.interiorColor, kNotNegative, what + ": interior_color");
   requireRange(mesh.shadow.weight, kClusterWeight, what + ": cluster_weight");
@@ -182,6 +188,21 @@ void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes, DataC
   if (volume.boundary >= 0) requireClosed(meshes[volume.boundary], checks, "to be the boundary of " + what);
 }
 
+void validateSpheres(const Spheres& spheres, std::size_t materialCount, DataChecks& checks) {
+  const std::string what = quoted("spheres", spheres.name);
+  if (!spheres.data) throw Error(what + " have no data, must point to a SphereData");
+  requireTransform(spheres.worldFromObject, what);
+  if (!isSimilarity(spheres.worldFromObject)) {
+    throw Error(what + ": the transform would make ellipsoids of spheres, must scale all axes alike");
+  }
+  checks.requireValid(spheres.data, what);
+  const float greatest = *std::max_element(spheres.data->radii.begin(), spheres.data->radii.end());
+  requireReach(spheres.data->centers, spheres.worldFromObject, what,
+               double(greatest) * glm::length(glm::dvec3(spheres.worldFromObject[0])));
+  requireMaterial(spheres.material, materialCount, what);
+  requireRange(spheres.shadow.weight, kClusterWeight, what + ": cluster_weight");
+}
+
 void validateScene(const Scene& scene, DataChecks& checks) {
   validateCamera(scene.camera);
   validateImage(scene.image);
@@ -190,6 +211,7 @@ void validateScene(const Scene& scene, DataChecks& checks) {
   for (const Material& material : scene.materials) validateMaterial(material);
   for (const Mesh& mesh : scene.meshes) validateMesh(mesh, scene.materials.size(), checks);
   for (const Volume& volume : scene.volumes) validateVolume(volume, scene.meshes, checks);
+  for (const Spheres& spheres : scene.spheres) validateSpheres(spheres, scene.materials.size(), checks);
 }
 
 }  // namespace scene

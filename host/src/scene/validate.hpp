@@ -32,11 +32,17 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& check
 /// Data, transform, boundary and transfer function. `meshes` are the scene's and valid themselves.
 void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes, DataChecks& checks);
 
+/// Data, transform and material of spheres.
+void validateSpheres(const Spheres& spheres, std::size_t materialCount, DataChecks& checks);
+
 /// Positions finite, one normal or none per position, indices in range, at least one triangle.
 void validateMeshData(const MeshData& data, const std::string& what);
 
 /// As many bytes as voxels, no voxel NaN or infinite, an invertible grid.
 void validateVolumeData(const VolumeData& data, const std::string& what);
+
+/// At least one sphere, centres finite, a radius > 0 for each, one colour or none for each.
+void validateSphereData(const SphereData& data, const std::string& what);
 
 void validateTransferFunction(const TransferFunction& transfer, const std::string& what);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of what readers and embedders hand over in bulk: triangles, voxels, transfer functions.
+// Checks of what readers and embedders hand over in bulk: triangles, voxels, spheres, transfer functions.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -85,6 +85,27 @@ void validateVolumeData(const VolumeData& data, const std::string& what) {
   if (data.type != VoxelType::Float32) return;
   const std::size_t bad = findNonFinite(data.voxels, count);
   if (bad < count) throw Error(what + ": voxel " + std::to_string(bad) + " is not finite, must be a number");
+}
+
+void validateSphereData(const SphereData& data, const std::string& what) {
+  const std::string count = std::to_string(data.centers.size());
+  if (data.centers.empty()) throw Error(what + " has no spheres, must have at least one");
+  if (data.radii.size() != data.centers.size()) {
+    throw Error(what + " has " + std::to_string(data.radii.size()) + " radii for " + count +
+                " centres, must be one for each");
+  }
+  if (!data.colors.empty() && data.colors.size() != data.centers.size()) {
+    throw Error(what + " has " + std::to_string(data.colors.size()) + " colours for " + count +
+                " centres, must be none or one for each");
+  }
+  requireFinite(data.centers, what + ": centre");
+  for (std::size_t i = 0; i < data.radii.size(); ++i)
+    if (!kPositive.contains(data.radii[i]))
+      requireRange(data.radii[i], kPositive, what + ": radius " + std::to_string(i));
+  for (std::size_t i = 0; i < data.colors.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      if (!kNotNegative.contains(data.colors[i][channel]))
+        requireRange(data.colors[i][channel], kNotNegative, what + ": colour " + std::to_string(i));
 }
 
 void validateTransferFunction(const TransferFunction& transfer, const std::string& what) {

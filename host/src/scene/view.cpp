@@ -26,10 +26,28 @@ float Bounds::diagonal() const { return low.x <= high.x ? glm::length(high - low
 
 glm::mat4 worldFromIndex(const Volume& volume) { return volume.worldFromObject * volume.data->objectFromIndex; }
 
+Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject) {
+  Bounds bounds;
+  for (const glm::vec3& p : data.positions) bounds.add(glm::vec3(worldFromObject * glm::vec4(p, 1.0f)));
+  return bounds;
+}
+
+float scaleOf(const glm::mat4& matrix) { return glm::length(glm::vec3(matrix[0])); }
+
+Bounds boundsOf(const SphereData& data, const glm::mat4& worldFromObject) {
+  Bounds bounds;
+  const float scale = scaleOf(worldFromObject);
+  for (std::size_t i = 0; i < data.centers.size(); ++i) {
+    const glm::vec3 center(worldFromObject * glm::vec4(data.centers[i], 1.0f)), reach(scale * data.radii[i]);
+    bounds.add({center - reach, center + reach});
+  }
+  return bounds;
+}
+
 Bounds worldBounds(const Scene& scene) {
   Bounds bounds;
-  for (const Mesh& mesh : scene.meshes)
-    for (const glm::vec3& p : mesh.data->positions) bounds.add(glm::vec3(mesh.worldFromObject * glm::vec4(p, 1.0f)));
+  for (const Mesh& mesh : scene.meshes) bounds.add(boundsOf(*mesh.data, mesh.worldFromObject));
+  for (const Spheres& spheres : scene.spheres) bounds.add(boundsOf(*spheres.data, spheres.worldFromObject));
   for (const Volume& volume : scene.volumes) {
     const glm::mat4 matrix = worldFromIndex(volume);
     const glm::vec3 size(volume.data->size);

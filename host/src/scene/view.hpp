@@ -20,7 +20,14 @@ struct Bounds {
   float diagonal() const;
 };
 
-/// All that is drawn: meshes, and the boxes of the volumes.
+/// In world space.
+Bounds boundsOf(const MeshData& data, const glm::mat4& worldFromObject);
+Bounds boundsOf(const SphereData& data, const glm::mat4& worldFromObject);
+
+/// Of a matrix that scales all axes alike.
+float scaleOf(const glm::mat4& matrix);
+
+/// All that is drawn: meshes, the boxes of the volumes, spheres.
 Bounds worldBounds(const Scene& scene);
 
 /// World position of voxel coordinates of a volume.

@@ -14,14 +14,15 @@ namespace {
 using scene::Bounds;
 
 constexpr int kBins = 16;
-constexpr std::size_t kLeafTriangles = 4;
-/// From here on medians alone: they halve the rest, so 2^31 triangles still end before CDSM_BVH_DEPTH.
+constexpr std::size_t kLeafPrimitives = 4;
+/// From here on medians alone: they halve the rest, so 2^31 primitives still end before CDSM_BVH_DEPTH.
 constexpr int kMedianDepth = 16;
 
 glm::vec3 xyz(const shared::float4& v) { return {v.x, v.y, v.z}; }
 
-Bounds boundsOf(const shared::BvhTriangle& t) {
+Bounds boundsOf(const shared::BvhPrimitive& t) {
   Bounds bounds;
+  if (t.b.w > 0.0f) return {xyz(t.a) - t.b.w, xyz(t.a) + t.b.w};
   bounds.add(xyz(t.a));
   bounds.add(xyz(t.b));
   bounds.add(xyz(t.c));
@@ -40,20 +41,20 @@ float area(const Bounds& bounds) {
 
 class Builder {
  public:
-  explicit Builder(std::vector<shared::BvhTriangle> triangles) : triangles_(std::move(triangles)) {
-    order_.resize(triangles_.size());
+  explicit Builder(std::vector<shared::BvhPrimitive> primitives) : primitives_(std::move(primitives)) {
+    order_.resize(primitives_.size());
     std::iota(order_.begin(), order_.end(), 0u);
-    for (const shared::BvhTriangle& t : triangles_) {
+    for (const shared::BvhPrimitive& t : primitives_) {
       bounds_.push_back(boundsOf(t));
       centers_.push_back(0.5f * (bounds_.back().low + bounds_.back().high));
     }
   }
 
   Bvh run() {
-    if (!triangles_.empty()) build(0, order_.size(), 0);
+    if (!primitives_.empty()) build(0, order_.size(), 0);
     Bvh bvh;
     bvh.nodes = std::move(nodes_);
-    for (const unsigned i : order_) bvh.triangles.push_back(triangles_[i]);
+    for (const unsigned i : order_) bvh.primitives.push_back(primitives_[i]);
     return bvh;
   }
 
@@ -66,7 +67,7 @@ class Builder {
     }
     const std::size_t number = nodes_.size();
     nodes_.push_back({{bounds.low, 0.0f}, {bounds.high, 0.0f}, unsigned(first), unsigned(last - first), 0, 0});
-    if (last - first <= kLeafTriangles) return;
+    if (last - first <= kLeafPrimitives) return;
     const std::size_t middle = split(first, last, centers, depth);
     nodes_[number].count = 0;
     build(first, middle, depth + 1);
@@ -126,7 +127,7 @@ class Builder {
     return best;
   }
 
-  std::vector<shared::BvhTriangle> triangles_;
+  std::vector<shared::BvhPrimitive> primitives_;
   std::vector<unsigned> order_;
   std::vector<Bounds> bounds_;
   std::vector<glm::vec3> centers_;
@@ -135,6 +136,6 @@ class Builder {
 
 }  // namespace
 
-Bvh buildBvh(std::vector<shared::BvhTriangle> triangles) { return Builder(std::move(triangles)).run(); }
+Bvh buildBvh(std::vector<shared::BvhPrimitive> primitives) { return Builder(std::move(primitives)).run(); }
 
 }  // namespace cdsm::technique

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bounding volume hierarchy over triangles, for shadow rays.
+// A bounding volume hierarchy over triangles and spheres, for shadow rays.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 namespace cdsm::technique {
 
 struct Bvh {
-  std::vector<shared::BvhNode> nodes;          ///< depth first, root first; empty without triangles
-  std::vector<shared::BvhTriangle> triangles;  ///< in the order of the leaves
+  std::vector<shared::BvhNode> nodes;            ///< depth first, root first; empty without primitives
+  std::vector<shared::BvhPrimitive> primitives;  ///< in the order of the leaves
 };
 
 /// Splits at the median of the widest axis of the centres where that is all that helps, else by the surface area
 /// heuristic over 16 bins. O(n log n); at most CDSM_BVH_DEPTH deep.
-Bvh buildBvh(std::vector<shared::BvhTriangle> triangles);
+Bvh buildBvh(std::vector<shared::BvhPrimitive> primitives);
 
 }  // namespace cdsm::technique

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/objects.hpp"
+
 namespace cdsm::technique {
 
 namespace {
@@ -44,7 +46,7 @@ LightMap describeMap(const Scene& scene, const MapCluster& cluster, std::size_t 
   LightMap map;
   map.cluster = int(cluster.number);
   map.number = int(number);
-  for (const unsigned object : cluster.objects) map.objects.push_back(objectName(scene, object));
+  for (const unsigned object : cluster.objects) map.objects.push_back(scene::objectName(scene, object));
   map.side = kSides[view.face];
   map.width = view.view.width;
   map.height = view.view.height;

@@ -2,6 +2,7 @@
 #include "technique/map_cluster.hpp"
 
 #include "scene/changes.hpp"
+#include "scene/objects.hpp"
 
 namespace cdsm::technique {
 
@@ -28,17 +29,14 @@ std::string lightReason(const Scene& before, const Scene& now, std::size_t light
 std::string objectReason(const Scene& before, const Scene& now, const std::vector<unsigned>& objects) {
   for (const unsigned object : objects) {
     const scene::CasterChange change = scene::casterChange(before, now, object);
-    if (change == scene::CasterChange::TransferFunction) return "transfer function of " + objectName(now, object);
-    if (change == scene::CasterChange::Other) return "object " + objectName(now, object);
+    if (change == scene::CasterChange::TransferFunction)
+      return "transfer function of " + scene::objectName(now, object);
+    if (change == scene::CasterChange::Other) return "object " + scene::objectName(now, object);
   }
   return "";
 }
 
 }  // namespace
-
-const std::string& objectName(const Scene& scene, unsigned object) {
-  return object < scene.meshes.size() ? scene.meshes[object].name : scene.volumes[object - scene.meshes.size()].name;
-}
 
 std::optional<std::size_t> keptCluster(const std::optional<Scene>& before, const Scene& now,
                                        const std::vector<MapCluster>& built, MapCluster& wanted) {

@@ -24,8 +24,6 @@ struct MapCluster {
   std::string reason;  ///< why its maps were built for this frame; empty if they were kept
 };
 
-const std::string& objectName(const Scene& scene, unsigned object);
-
 /// The cluster of `built` whose maps are still those of `wanted`, or none: then wanted.reason says why.
 /// `before`: the scene that they were built for, if there was one.
 std::optional<std::size_t> keptCluster(const std::optional<Scene>& before, const Scene& now,

@@ -6,13 +6,14 @@
 
 #include "cluster/light_camera.hpp"
 #include "device/host_step.hpp"
+#include "scene/objects.hpp"
 
 namespace cdsm::technique {
 
 void MapTechnique::prepare(const Preparation& to) {
   const auto begun = std::chrono::steady_clock::now();
-  meshShapes_.keepOnly(to.scene);
-  const std::vector<cluster::Caster> shapes = cluster::objectShapes(to.scene, meshShapes_);
+  knownShapes_.keepOnly(to.scene);
+  const std::vector<cluster::Caster> shapes = cluster::objectShapes(to.scene, knownShapes_);
   std::vector<MapCluster> clusters = planClusters(to, shapes);
   clusterMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 
@@ -110,7 +111,7 @@ MapStats MapTechnique::mapStats(const Scene& scene, const MapCluster& cluster, s
   const memory::NodeCounts nodes = nodeCounts(cluster.firstMap + index);
   MapStats map;
   map.cluster = int(cluster.number);
-  for (const unsigned object : cluster.objects) map.objects.push_back(objectName(scene, object));
+  for (const unsigned object : cluster.objects) map.objects.push_back(scene::objectName(scene, object));
   map.regenerated = !cluster.reason.empty();
   map.reason = cluster.reason;
   map.texels = std::uint64_t(view.view.width) * view.view.height;

@@ -56,7 +56,7 @@ class MapTechnique : public ShadowTechnique {
   MapStats mapStats(const Scene& scene, const MapCluster& cluster, std::size_t view) const;
 
   device::Device& device_;
-  cluster::MeshShapes meshShapes_;
+  cluster::KnownShapes knownShapes_;
   std::vector<cluster::HandOver> handOvers_;  ///< per light, if stable
   std::optional<Scene> built_;                ///< what the maps were built for
   std::vector<MapCluster> clusters_;

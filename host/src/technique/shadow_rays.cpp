@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "scene/objects.hpp"
+#include "scene/view.hpp"
 #include "technique/bvh.hpp"
 
 namespace cdsm::technique {
@@ -15,6 +17,13 @@ shared::float4 worldCorner(const build::DeviceScene& scene, const shared::Object
   const float* p = scene.geometry().hostPositions().data() + 3 * std::size_t(corner);
   const shared::Affine& m = object.worldFromObject;
   return {dotPoint(m.x, p), dotPoint(m.y, p), dotPoint(m.z, p), 0.0f};
+}
+
+/// The bits of a number as a float.
+float bitsOf(unsigned number) {
+  float bits;
+  std::memcpy(&bits, &number, sizeof(bits));
+  return bits;
 }
 
 /// Per mesh, whether rays have to meet it: where its surface or its interior casts, or a volume that it cuts.
@@ -31,25 +40,47 @@ std::vector<bool> metMeshes(const Scene& scene) {
 }
 
 /// Triangles of the meshes that rays have to meet, whose objects come first. Boxes of volumes are met by formula.
-std::vector<shared::BvhTriangle> trianglesOf(const build::DeviceScene& scene, const std::vector<bool>& meshes) {
-  std::vector<shared::BvhTriangle> triangles;
+std::vector<shared::BvhPrimitive> trianglesOf(const build::DeviceScene& scene, const std::vector<bool>& meshes) {
+  std::vector<shared::BvhPrimitive> triangles;
   for (const shared::uint4& t : scene.geometry().hostTriangles()) {
     if (scene.isBox(t.w) || !meshes[t.w]) continue;
     const shared::ObjectData& object = scene.hostObjects()[t.w];
-    shared::BvhTriangle triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
-                                 worldCorner(scene, object, t.z)};
-    std::memcpy(&triangle.a.w, &t.w, sizeof(float));
+    shared::BvhPrimitive triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
+                                  worldCorner(scene, object, t.z)};
+    triangle.a.w = bitsOf(t.w);
     triangles.push_back(triangle);
   }
   return triangles;
 }
 
+/// The spheres of an object in world space.
+void addSpheres(const Spheres& spheres, unsigned object, std::vector<shared::BvhPrimitive>& primitives) {
+  const float scale = scene::scaleOf(spheres.worldFromObject), bits = bitsOf(object);
+  const SphereData& data = *spheres.data;
+  for (std::size_t i = 0; i < data.centers.size(); ++i) {
+    const glm::vec3 center(spheres.worldFromObject * glm::vec4(data.centers[i], 1.0f));
+    primitives.push_back({{center, bits}, {glm::vec3(0.0f), scale * data.radii[i]}, {}});
+  }
+}
+
+/// All that casts, but the volumes.
+std::vector<shared::BvhPrimitive> primitivesOf(const Scene& scene, const build::DeviceScene& deviceScene) {
+  std::vector<shared::BvhPrimitive> primitives = trianglesOf(deviceScene, metMeshes(scene));
+  auto object = unsigned(scene::firstSpheres(scene));
+  for (const Spheres& spheres : scene.spheres) {
+    if (spheres.shadow.casts && scene.materials[std::size_t(spheres.material)].opacity > 0.0f)
+      addSpheres(spheres, object, primitives);
+    ++object;
+  }
+  return primitives;
+}
+
 }  // namespace
 
 void ShadowRays::buildHierarchy(const Scene& scene, const build::DeviceScene& deviceScene) {
-  const Bvh bvh = buildBvh(trianglesOf(deviceScene, metMeshes(scene)));
-  nodes_ = device::Buffer<shared::BvhNode>::fromHost(device_, bvh.nodes, "hierarchy of triangles");
-  triangles_ = device::Buffer<shared::BvhTriangle>::fromHost(device_, bvh.triangles, "triangles of shadow rays");
+  const Bvh bvh = buildBvh(primitivesOf(scene, deviceScene));
+  nodes_ = device::Buffer<shared::BvhNode>::fromHost(device_, bvh.nodes, "hierarchy of triangles and spheres");
+  primitives_ = device::Buffer<shared::BvhPrimitive>::fromHost(device_, bvh.primitives, "primitives of shadow rays");
   const auto mediumObjects = deviceScene.objectsOfMedia();
   mediumCount_ = mediumObjects.size();
   mediumObjects_ = device::Buffer<std::uint32_t>::fromHost(device_, mediumObjects, "objects of media");
@@ -87,7 +118,7 @@ shared::TechniqueParams ShadowRays::params(const Scene& scene) const {
 }
 
 device::ArgumentList ShadowRays::arguments() const {
-  return {nodes_.cl(),         triangles_.cl(),         lightObjects_.cl(),
+  return {nodes_.cl(),         primitives_.cl(),        lightObjects_.cl(),
           mediumObjects_.cl(), opaqueExtinctions_.cl(), lightExtinctions_};
 }
 

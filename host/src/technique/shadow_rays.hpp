@@ -27,7 +27,7 @@ class ShadowRays : public ShadowTechnique {
   std::size_t mediumCount_ = 0;
   std::vector<shared::uint2> around_;  ///< per light: first and number in lightObjects_
   device::Buffer<shared::BvhNode> nodes_;
-  device::Buffer<shared::BvhTriangle> triangles_;
+  device::Buffer<shared::BvhPrimitive> primitives_;
   device::Buffer<std::uint32_t> lightObjects_, mediumObjects_;
   device::Buffer<float> opaqueExtinctions_;
   cl::Buffer lightExtinctions_;  ///< of the device scene
