@@ -68,7 +68,7 @@ std::vector<double> quotients(const std::vector<double>& a, const std::vector<do
 Table timesOf(const BenchOptions& options, const std::vector<Figures>& bySize, std::size_t figure, const char* name,
               const char* title, std::size_t judge, double wanted) {
   const auto paper = [figure](std::size_t i) { return figure == 0 ? kTechniques[i].build : kTechniques[i].frame; };
-  Table table{name, title, "texels of maps", {}, {}, "paper"};
+  Table table{name, title, "texels of maps", {}, {}, {}, "paper"};
   for (const int size : kMapSizes) table.columns.push_back(mapSizeText(options, size, 1));
   for (const std::size_t base : {kShadowMap, kDeepShadowMap}) {
     Row row = plainRow(std::string("stochastic / ") + kTechniques[base].label);
@@ -87,7 +87,7 @@ Table timesOf(const BenchOptions& options, const std::vector<Figures>& bySize, s
 }
 
 Table memoryOf(const BenchOptions& options, const std::vector<Figures>& bySize) {
-  Table table{"memory", "Memory of the maps", "texels of maps", {}, {}, "paper"};
+  Table table{"memory", "Memory of the maps", "texels of maps", {}, {}, {}, "paper"};
   for (const int size : kMapSizes) table.columns.push_back(mapSizeText(options, size, 1));
   for (std::size_t i = 0; i <= kStochastic; ++i) {
     table.rows.push_back(plainRow(kTechniques[i].label, "MB"));
@@ -117,7 +117,7 @@ Table noiseTable(const BenchOptions& options) {
   Row published = plainRow("as published"), stratified = plainRow("stratified"), ratio = plainRow("ratio");
   Table table{"noise",   "Noise of a pixel, linear colours, maps of " + mapSizeText(options, kMapSizes.front(), 1),
               "samples", {},
-              {},        "paper"};
+              {},        {}, "paper"};
   for (const int samples : kSamples) {
     table.columns.push_back(std::to_string(samples));
     published.ours.push_back(noiseOf(subject, false, samples));

@@ -397,7 +397,7 @@ MOLECULES = [
     molecule("radius with a NaN", "radius is nan", inputs.ATOMS_XYZ, more=b"radius = nan"),
     molecule("spheres of no known colour", "unknown color 'red'", inputs.ATOMS_XYZ, more=b"color = 'red'"),
     molecule("spheres made flat", "scale is an array", inputs.ATOMS_XYZ, more=b"scale = [1, 1, 2]"),
-    molecule("spheres made skew", "must scale all axes alike and leave them at right angles", inputs.ATOMS_XYZ,
+    molecule("spheres made skew", "must scale all axes alike", inputs.ATOMS_XYZ,
              more=b"matrix = [1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"),
     molecule("water that is left out", "holds water alone", inputs.pdb("  O"), "atoms.pdb", b"waters = false"),
 ]
