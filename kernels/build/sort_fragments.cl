@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of each tile -> fragments of each pixel, sorted from near to far by full float depth, then by number
-// [Knecht 2011, §3.1.2, §4.1.2, with 64-bit keys instead of 16 + 16 bits].
+// [Knecht 2011, §3.1.2, §4.1.2, with 64-bit keys instead of 16 + 16 bits]. CDSM_SPHERES: 1 if there are any in the view.
 #include "common/affine.clh"
 #include "common/sort.clh"
 #include "common/sphere.clh"
@@ -47,15 +47,15 @@ CDSM_INLINE void addSphere(FragmentList* list, const ViewData* view, const Ray* 
 /// Drops what lies behind the wall, and sorts the rest.
 void finishFragments(FragmentList* list) {
   uint kept = 0;
-  for (uint i = 0; i < list->count; ++i)
+  for (uint i = 0; i < list->count && !isinf(list->wall); ++i)
     if (as_float((uint)(list->keys[i] >> 32)) <= list->wall) list->keys[kept++] = list->keys[i];
-  list->count = kept;
-  sortKeys(list->keys, kept);
+  if (!isinf(list->wall)) list->count = kept;
+  sortKeys(list->keys, list->count);
 }
 
 /// Fragments that a pair gives a pixel at most. Without branches: loops over all pairs of a tile become vectors.
 CDSM_INLINE uint fragmentsOf(ulong mask, uint owner, uint pixel) {
-  return ((uint)(mask >> pixel) & 1u) << (owner / CDSM_TWICE_BIT & 1u);
+  return ((uint)(mask >> pixel) & 1u) << (CDSM_SPHERES ? owner / CDSM_TWICE_BIT & 1u : 0u);
 }
 
 /// A group per tile, an item per pixel. A pixel's range: `initialCount` slots for the objects that contain the eye (used
@@ -83,7 +83,7 @@ __kernel void sortFragments(ViewData view, __global const ScreenTriangle* screen
     if (!(masks[i] & bit)) continue;
     uint owner = owners[i];
     left -= fragmentsOf(masks[i], owner, pixel);
-    if (owner & CDSM_SPHERE_BIT) {
+    if (CDSM_SPHERES && (owner & CDSM_SPHERE_BIT) != 0) {
       addSphere(&list, &view, &ray, &spheres[owner & ~(CDSM_SPHERE_BIT | CDSM_TWICE_BIT)]);
     } else {
       __global const ScreenTriangle* t = &screen[owner];

@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "build/transfer_table.hpp"
+#include "build/unit_cube.hpp"
 #include "scene/closed_mesh.hpp"
 #include "scene/objects.hpp"
 #include "scene/range.hpp"
@@ -39,25 +40,6 @@ double signedVolume(const MeshData& data) {
     sum += glm::dot(a, glm::cross(b, c));
   }
   return sum;
-}
-
-/// The unit cube, counter-clockwise seen from outside.
-std::shared_ptr<const MeshData> unitCube() {
-  static const std::shared_ptr<const MeshData> cube = [] {
-    auto data = std::make_shared<MeshData>();
-    for (int i = 0; i < 8; ++i) data->positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
-    data->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return data;
-  }();
-  return cube;
-}
-
-glm::mat4 worldFromUnitCube(const Volume& volume) {
-  glm::mat4 indexFromUnit(1.0f);
-  for (int i = 0; i < 3; ++i) indexFromUnit[i][i] = float(volume.data->size[i]);
-  indexFromUnit[3] = glm::vec4(-0.5f, -0.5f, -0.5f, 1.0f);
-  return scene::worldFromIndex(volume) * indexFromUnit;
 }
 
 /// Boxes of the volumes follow the meshes.

@@ -22,6 +22,10 @@ constexpr ScreenListNames kSphereNames{"set up spheres",
 
 const cl::Program& programOf(device::Device& device, const char* file) { return device.programs().get({file, {}, {}}); }
 
+const cl::Program& sortProgram(device::Device& device, const char* spheres) {
+  return device.programs().get({"build/sort_fragments.cl", {{"CDSM_SPHERES", spheres}}, {}});
+}
+
 }  // namespace
 
 RasterPass::RasterPass(device::Device& device)
@@ -31,7 +35,8 @@ RasterPass::RasterPass(device::Device& device)
       spheres_(device, "\"build/screen_sphere.clh\"", kSphereNames),
       setupTriangles_(device, programOf(device, "build/setup_triangles.cl"), "setupTriangles"),
       setupSpheres_(device, programOf(device, "build/setup_spheres.cl"), "setupSpheres"),
-      sortFragments_(device, programOf(device, "build/sort_fragments.cl"), "sortFragments") {
+      sortFragments_(device, sortProgram(device, "1"), "sortFragments"),
+      sortTriangles_(device, sortProgram(device, "0"), "sortFragments") {
   const auto name = [&](auto& buffer, const char* text) { buffer = std::decay_t<decltype(buffer)>(device, 0, text); };
   name(tiles_.pairs, "pairs per tile");
   name(tiles_.fragments, "fragments per tile");
@@ -102,9 +107,9 @@ Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shar
                       " pixels needs room for " + std::to_string(slots) +
                       " fragments, must be below 2^32; take a smaller image or map");
   layers_.fragments.reserve(slots);
-  sortFragments_({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, triangles_.screen(),
-                 spheres_.screen(), tiles_.start, tiles_.fragmentStart, tiles_.masks, tiles_.owners, layers_.fragments,
-                 layers_.ranges);
+  SortKernel& sort = spheres_.empty() ? sortTriangles_ : sortFragments_;
+  sort({"sort fragments", {tiles * CDSM_TILE_PIXELS}, {CDSM_TILE_PIXELS}}, view, triangles_.screen(), spheres_.screen(),
+       tiles_.start, tiles_.fragmentStart, tiles_.masks, tiles_.owners, layers_.fragments, layers_.ranges);
   return layers_;
 }
 

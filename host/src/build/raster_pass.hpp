@@ -59,10 +59,10 @@ class RasterPass {
   device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::SceneSphere>,
                  device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenSphere>, Counters, Uints>
       setupSpheres_;
-  device::Kernel<shared::ViewData, device::Buffer<shared::ScreenTriangle>, device::Buffer<shared::ScreenSphere>, Uints,
-                 Uints, device::Buffer<std::uint64_t>, Uints, device::Buffer<std::uint64_t>,
-                 device::Buffer<shared::uint2>>
-      sortFragments_;
+  using SortKernel = device::Kernel<shared::ViewData, device::Buffer<shared::ScreenTriangle>,
+                                    device::Buffer<shared::ScreenSphere>, Uints, Uints, device::Buffer<std::uint64_t>,
+                                    Uints, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>>;
+  SortKernel sortFragments_, sortTriangles_;  ///< the latter where no sphere is on the screen
 };
 
 }  // namespace cdsm::build

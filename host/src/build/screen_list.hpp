@@ -91,6 +91,9 @@ class ScreenList {
                     tiles.start, tiles.cursor, tiles.fragments, tiles.masks, tiles.owners);
   }
 
+  /// Nothing of them is on the screen.
+  bool empty() const { return wanted_ == 0; }
+
   const ScreenListNames& names() const { return names_; }
   const Screen& screen() const { return screen_; }
   const Counters& counters() const { return counters_; }
