@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorted fragments of a light's view -> per texel where its light is stopped. CDSM_STOP: by what, LightStop with
-// beginStop(), stopInSegment(), stopAtSurface(), isStopped() and storeStop().
+// Sorted fragments of a light's view -> per texel where its light is stopped. CDSM_STOP: by what, LightStop with its depth
+// or depths, beginStop(), stopInSegment(), stopAtSurface(), isStopped() and storeStop().
 #include CDSM_STOP
 
 /// A group per tile, an item per texel.
@@ -16,7 +16,8 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
   SegmentWalk walk = beginWalk(fragments, ranges[tile * CDSM_TILE_PIXELS + pixel], &params.view, initialObjects,
                                scene);
   LightStop stop;
-  if (walk.left > 0) beginStop(&stop, &params, x, y); else stop.depth = INFINITY;
+  stop.depth = INFINITY;
+  if (walk.left > 0) beginStop(&stop, &params, x, y);
   while (walk.left > 0 && !isStopped(&stop)) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
