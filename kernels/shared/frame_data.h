@@ -37,8 +37,10 @@ CDSM_SIZE(ShadeParams, 224);
 typedef struct QueryParams {
   uint pointCount;
   uint light;
+  uint pointStride;     ///< floats from a point to the next
+  uint padding;
 } QueryParams;
-CDSM_SIZE(QueryParams, 8);
+CDSM_SIZE(QueryParams, 16);
 
 /// What any technique may need to know; each uses its part.
 typedef struct TechniqueParams {

@@ -2,6 +2,7 @@
 // The scene on the device: triangles, objects, media, transfer tables and macrocells (shared/scene_data.h).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -32,7 +33,8 @@ class DeviceScene {
   /// All objects, as the camera and points to be answered see them.
   const ObjectSet& allObjects() const { return all_; }
   /// What attenuates light if only these objects cast. Objects are numbered meshes first, then volumes.
-  ObjectSet castingObjects(const std::vector<unsigned>& casters) const;
+  /// Valid until the next update().
+  const ObjectSet& castingObjects(const std::vector<unsigned>& casters) const;
 
   /// Arguments of CDSM_SCENE_PARAMS, in its order. `initialObjects`: the objects that contain the eye of the view.
   device::ArgumentList arguments(const ObjectSet& set, const device::Buffer<std::uint32_t>& initialObjects) const;
@@ -63,8 +65,9 @@ class DeviceScene {
   void addVolumeMedium(const Scene& scene, const Volume& volume);
   void updateBounds();
   void upload();
-  ObjectSet makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
-                    float interiorStep) const;
+  /// `former`: of the same objects in the scene before, whose buffers it takes over.
+  ObjectSet makeSet(ObjectSet former, const std::vector<shared::ObjectData>& objects,
+                    const std::vector<std::uint32_t>& lists, float interiorStep) const;
   /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
 
@@ -73,6 +76,7 @@ class DeviceScene {
   VolumeSlots slots_;
   Geometry geometry_;
   ObjectSet all_;
+  mutable std::map<std::vector<unsigned>, ObjectSet> casting_;  ///< of the last scenes, by casters
   scene::Bounds bounds_;
 
   /// What an object's bounds were computed from.
@@ -93,9 +97,9 @@ class DeviceScene {
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
 
-  device::Buffer<shared::MediumData> media_;
-  device::Buffer<float> extinctions_;
-  device::Buffer<shared::float4> colors_;
+  device::Mirror<shared::MediumData> media_;
+  device::Mirror<float> extinctions_;
+  device::Mirror<shared::float4> colors_;
   MacrocellPass cells_;
 };
 

@@ -36,6 +36,13 @@ class Profiler {
   std::vector<KernelTime> kernels();
   /// Sum over what was recorded in the group; 0 for a group that never was. Waits and throws as kernels() does.
   double groupMilliseconds(const std::string& group);
+  /// Of transfers from the host, which are called "upload ...". Waits and throws as kernels() does.
+  std::uint64_t uploadedBytes();
+
+  /// Bytes that were copied on the host since the last reset().
+  void countCopy(std::uint64_t bytes) { copiedBytes_ += bytes; }
+  std::uint64_t copiedBytes() const { return copiedBytes_; }
+
   /// Forgets all times; the current group stays.
   void reset();
 
@@ -49,6 +56,7 @@ class Profiler {
     std::string group;
     double milliseconds = 0.0;
     std::uint64_t launches = 0;
+    std::uint64_t bytes = 0;
   };
 
   void foldFinished();
@@ -61,6 +69,7 @@ class Profiler {
   CommandTrace trace_;
   std::deque<Pending> pending_;
   std::vector<Entry> entries_;
+  std::uint64_t copiedBytes_ = 0;
 };
 
 }  // namespace cdsm::device
