@@ -197,6 +197,21 @@ TEST(MovedObject, BringsItsMatrixAlong) {
   EXPECT_EQ(answers(engine, points), answers(scene, points));
 }
 
+TEST(WrongViews, OfTheDeviceAreLookedAtThere) {
+  const Given given;
+  Engine engine = opencl::makeEngine(given.place());
+  const VolumeData data = cloud(VoxelType::Float32);
+  std::vector<std::byte> voxels = data.voxels;
+  const float bad[] = {INFINITY, 0.0f, std::numeric_limits<float>::quiet_NaN()};
+  std::memcpy(voxels.data() + 70 * sizeof(float), bad, sizeof bad);
+  const cl::Buffer wrong = given.buffer(voxels), right = given.buffer(data.voxels);
+  const auto says = [&](const cl::Buffer& buffer) {
+    return errorOf([&] { engine.prepare(sceneOf(opencl::volumeData(buffer(), data.type, data.size))); });
+  };
+  EXPECT_NE(says(wrong).find("voxel 70 is not finite"), std::string::npos);
+  EXPECT_EQ(says(right), "");
+}
+
 TEST(WrongViews, AreRefusedWithARemedy) {
   const Given given, other;
   Engine engine = opencl::makeEngine(given.place());

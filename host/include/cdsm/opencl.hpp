@@ -31,8 +31,8 @@ CDSM_API Engine makeEngine(const Place& place, const EngineOptions& options = {}
 CDSM_API Place placeOf(const Engine& engine);
 
 /// Voxels side by side, x fastest, in a buffer that is retained as long as the result lives. The engine reads it where
-/// it is, or copies it to an image once. Values must be finite; nobody checks. What VoxelView says about writing to it
-/// holds here, too. Sizes are checked by the engine that gets it.
+/// it is, or copies it to an image once. What VoxelView says about writing to it holds here, too. Sizes are checked by
+/// the engine that gets it.
 CDSM_API std::shared_ptr<VolumeData> volumeData(cl_mem buffer, VoxelType type, const glm::uvec3& size,
                                                 const glm::mat4& objectFromIndex = glm::mat4(1.0f));
 

@@ -88,6 +88,20 @@ device::Buffer<std::byte> VolumeSlots::makeVoxels(const VolumeData& data) const 
   return Bytes::inPlace(device_, voxels.first, bytes, "voxels");
 }
 
+void VolumeSlots::requireFinite(const Volume& volume, const device::Buffer<std::byte>& voxels) const {
+  using Uints = device::Buffer<std::uint32_t>;
+  if (!volume.data->view.deviceBuffer || volume.data->type != VoxelType::Float32) return;
+  const std::size_t count = scene::voxelCount(*volume.data);
+  Uints first(device_, 1, "first voxel that is not finite");
+  first.fill(~0u);
+  device::Kernel<std::uint32_t, device::Buffer<std::byte>, Uints> findNonFinite(
+      device_, device_.programs().get({"build/check_voxels.cl", {}, {}}), "findNonFinite");
+  findNonFinite({"check voxels", {count}, {64}}, std::uint32_t(count), voxels, first);
+  const std::uint32_t bad = first.read(0);
+  if (bad != ~0u)
+    throw Error("volume '" + volume.name + "': voxel " + std::to_string(bad) + " is not finite, must be a number");
+}
+
 void VolumeSlots::findCellBounds(VoxelSlot& slot) const {
   const VolumeData& data = *slot.data;
   const glm::uvec3 cells = cellCounts(data);
@@ -109,6 +123,7 @@ std::shared_ptr<VoxelSlot> VolumeSlots::makeSlot(const Volume& volume) {
   slot->data = volume.data;
   slot->revision = volume.revision;
   slot->voxels = makeVoxels(*volume.data);
+  requireFinite(volume, slot->voxels);
   findCellBounds(*slot);
   if (device_.fetchImages()) {
     slot->texture = makeTexture(device_, *volume.data, slot->voxels);

@@ -52,6 +52,8 @@ class VolumeSlots {
   std::shared_ptr<VoxelSlot> makeSlot(const Volume& volume);
   /// The voxels where they are if the device can read them there, else a copy.
   device::Buffer<std::byte> makeVoxels(const VolumeData& data) const;
+  /// Throws Error for a float voxel in a given buffer that is not finite; others were looked at on the host.
+  void requireFinite(const Volume& volume, const device::Buffer<std::byte>& voxels) const;
   void findCellBounds(VoxelSlot& slot) const;
 
   device::Device& device_;
