@@ -74,6 +74,7 @@ Device::Device(const cl::Device& handle, const cl::Context& context, const cl::C
       keepsTimes_((queue.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0),
       account_(std::make_shared<MemoryAccount>()),
       programs_(std::make_unique<ProgramCache>(*this)) {
+  if (!keepsTimes_) profiler_.ignoreTimes();
   account_->device = description.name;
   account_->maxAllocationBytes = description.maxAllocationBytes;
   account_->totalBytes = description.memoryBytes;

@@ -99,7 +99,7 @@ void Profiler::foldFront() {
   guarded("launch of '" + front.command.name + "'", [&] {
     front.event.wait();
     Entry& sum = entry(front.command.name, front.command.group);
-    sum.milliseconds += duration(front.event);
+    if (!ignoresTimes_) sum.milliseconds += duration(front.event);
     ++sum.launches;
     sum.bytes += front.command.size.bytes;
     if (sink_) trace_.add(front.command, front.event);

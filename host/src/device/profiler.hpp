@@ -25,6 +25,9 @@ class Profiler {
   /// Call it as soon as the command is enqueued.
   void record(const std::string& name, const cl::Event& event, const CommandSize& size = {});
 
+  /// The queue keeps no times, whatever its events say: all are 0.
+  void ignoreTimes() { ignoresTimes_ = true; }
+
   /// Where traced events go; empty: none are kept. Steps of the host go there at once.
   void setTrace(TraceSink sink) { sink_ = std::move(sink); }
   const TraceSink& trace() const { return sink_; }
@@ -64,6 +67,7 @@ class Profiler {
   void foldFront();
   Entry& entry(const std::string& name, const std::string& group);
 
+  bool ignoresTimes_ = false;
   std::string group_;
   TraceSink sink_;
   CommandTrace trace_;
