@@ -39,6 +39,8 @@ clang-format            checks the layout of the C++ sources
 oclgrind                runs kernels under an interpreter that finds races and stray accesses
 openimageio-tools       flattens the deep EXR files that are written
 openexr                 looks at them, too
+doxygen                 reads the public headers
+pkg-config              builds a program that uses the installed library
 mesa-opencl-icd         a second OpenCL implementation, one that reads images
 LIST
 }

@@ -117,7 +117,8 @@ Table noiseTable(const BenchOptions& options) {
   Row published = plainRow("as published"), stratified = plainRow("stratified"), ratio = plainRow("ratio");
   Table table{"noise",   "Noise of a pixel, linear colours, maps of " + mapSizeText(options, kMapSizes.front(), 1),
               "samples", {},
-              {},        {}, "paper"};
+              {},        {},
+              "paper"};
   for (const int samples : kSamples) {
     table.columns.push_back(std::to_string(samples));
     published.ours.push_back(noiseOf(subject, false, samples));

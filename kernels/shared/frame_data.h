@@ -43,8 +43,10 @@ CDSM_SIZE(ShadeParams, 224);
 typedef struct QueryParams {
   uint pointCount;
   uint light;
+  uint pointStride;     ///< floats from a point to the next
+  uint padding;
 } QueryParams;
-CDSM_SIZE(QueryParams, 8);
+CDSM_SIZE(QueryParams, 16);
 
 /// Part of one light's shadow volume of one volume.
 typedef struct FillParams {

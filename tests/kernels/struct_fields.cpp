@@ -81,8 +81,8 @@ CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
 
     CDSM_BEGIN(BuildParams) F(view) F(tolerance) F(interiorStep) F(mapIndex) F(padding) CDSM_END CDSM_BEGIN(ShadeParams)
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) CDSM_END CDSM_BEGIN(QueryParams)
-            F(pointCount) F(light) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity) F(firstNode)
-                F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
+            F(pointCount) F(light) F(pointStride) F(padding) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity)
+                F(firstNode) F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
     CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) F(opaque) F(threshold)
         F(pcf) F(samples) CDSM_END CDSM_BEGIN(DepthParams) F(view) F(threshold) F(firstTexel) F(seed) F(patternX)
             F(patternY) F(jitter) F(channelShift) F(padding) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep)

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["host", "kernels", "tests", "tools", ".ci"]
+FOLDERS = ["host", "kernels", "tests", "examples", "tools", ".ci"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".cl", ".clh", ".py", ".sh", ".cmake"}
 NAMES = {"CMakeLists.txt", "run"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"

@@ -2,6 +2,7 @@
 // cdsm: clustered deep shadow maps. The whole public interface: a Scene in, images and transmittances out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include <cdsm/error.hpp>
+#include <cdsm/export.hpp>
 #include <cdsm/light_map.hpp>
 #include <cdsm/scene.hpp>
 #include <cdsm/stats.hpp>
@@ -34,12 +36,13 @@ struct DeviceDescription {
 };
 
 /// All devices of all platforms; a platform without devices is passed over. Never throws for want of a device.
-std::vector<DeviceDescription> listDevices();
+CDSM_API std::vector<DeviceDescription> listDevices();
 
 struct EngineOptions {
   std::string device;          ///< "platform:device" or part of a name; empty: CDSM_DEVICE, else the first usable
   std::string fetch = "auto";  ///< auto | buffer | image
   std::function<void(const std::string& step, float done)> progress;  ///< done in [0, 1]; may be empty
+  std::function<void(const std::string&)> warning;                    ///< gets each of stats().warnings; may be empty
   TraceSink trace;  ///< gets every kernel, transfer and host step; may be empty
 };
 
@@ -50,6 +53,7 @@ struct Image {
   std::vector<glm::vec4> pixels;
 };
 
+/// Of the light, at a point.
 struct Transmittance {
   std::uint8_t lit;     ///< 0: outside of a spot light's cone
   float transmittance;  ///< 0 where not lit
@@ -73,7 +77,7 @@ struct ViewOptions {
 
 /// Renders scenes and answers for the light at points. Holds device memory; one engine is used by one thread at a time,
 /// several engines may live side by side. What is built for a scene is kept until a scene that differs is given.
-class Engine {
+class CDSM_API Engine {
  public:
   explicit Engine(const EngineOptions& options = {});
   ~Engine();
@@ -85,6 +89,9 @@ class Engine {
   /// The camera's image of the scene. Throws Error or DeviceError; the engine stays usable.
   Image render(const Scene& scene);
 
+  /// The same into image.width * image.height values of the caller's, row after row from the top.
+  void render(const Scene& scene, glm::vec4* pixels);
+
   /// A debug picture of the scene; maps are those of render(). Counts are colours of a scale from 0, dark, to the
   /// greatest count, bright: stats().view says which; black where there is nothing. Throws Error for an unknown light
   /// or a technique without maps.
@@ -95,6 +102,18 @@ class Engine {
   std::vector<Transmittance> transmittance(const Scene& scene, const std::string& light,
                                            const std::vector<glm::vec3>& points);
 
+  /// Builds what queries for the scene need, as far as it has changed. Those below are about the last scene that any
+  /// call was given, and compare nothing.
+  void prepare(const Scene& scene);
+
+  /// Transmittances of `count` points into `values`, -1 where the point is not lit. Both arrays are the caller's; where
+  /// the device shares the host's memory they are used in place. Throws Error for a point that is not finite, and if no
+  /// scene has been given or the last call failed: then prepare() comes first.
+  void transmittance(const std::string& light, const glm::vec3* points, std::size_t count, float* values);
+
+  /// Lets go of the scene: its device memory, and all that was kept of its data.
+  void drop();
+
   /// The deep shadow maps of the light of that name, as transmittance() looks them up, in host memory. None if nothing
   /// that casts is in the light's reach. Throws Error for an unknown light, and if the scene's technique has no maps.
   std::vector<LightMap> lightMaps(const Scene& scene, const std::string& light);
@@ -104,6 +123,10 @@ class Engine {
 
  private:
   struct Impl;
+  friend struct EngineAccess;
+  explicit Engine(std::unique_ptr<Impl> impl);
+  Impl& impl() const;
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <cdsm/export.hpp>
+
 namespace cdsm {
 
 /// A place in an input file. Lines and columns count from 1; 0 means "the file as a whole".
@@ -17,7 +19,7 @@ struct Location {
 
 /// Every failure of the library. `what()` is one line: "FILE:LINE:COLUMN: what is wrong, and what would be right".
 /// The library never prints, exits or aborts; whoever calls it decides.
-class Error : public std::runtime_error {
+class CDSM_API Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message);
   Error(Location where, const std::string& message);
@@ -33,7 +35,7 @@ class Error : public std::runtime_error {
 
 /// A failure of OpenCL or of the device: names the call, the kernel or buffer, the CL code by name and, where it is
 /// about memory, the bytes asked for.
-class DeviceError : public Error {
+class CDSM_API DeviceError : public Error {
  public:
   using Error::Error;
 };

@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cdsm/export.hpp>
+
 namespace cdsm {
 
 struct Camera {
@@ -120,14 +122,28 @@ struct Spheres {
 enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
 
 /// Bytes of one voxel.
-std::size_t voxelBytes(VoxelType type);
+CDSM_API std::size_t voxelBytes(VoxelType type);
 
-/// A scalar grid, x fastest. `objectFromIndex` maps the index of a voxel's centre to object space.
+/// Voxels that lie in somebody else's memory. An engine keeps the VolumeData, and with it the owner, from the first
+/// call with a scene that has it until a call with a scene that does not, Engine::drop() or its own end. Without an
+/// owner the memory must stay where it is for as long. Nobody may write to it during a call, nor while work that a call
+/// has left running on the device uses it; what is written between calls counts once Volume::revision has changed.
+struct VoxelView {
+  const void* data = nullptr;  ///< host memory: the voxel of index (0, 0, 0)
+  /// Bytes from a voxel to the next one along x, y, z; negative ones run backwards. All 0: side by side, x fastest,
+  /// which devices that share the host's memory read in place; others are copied.
+  std::array<std::ptrdiff_t, 3> strides{0, 0, 0};
+  std::shared_ptr<const void> owner;   ///< of `data`; may be empty
+  std::shared_ptr<void> deviceBuffer;  ///< in place of `data`: made by opencl::volumeData()
+};
+
+/// A scalar grid. `objectFromIndex` maps the index of a voxel's centre to object space.
 struct VolumeData {
   VoxelType type = VoxelType::UInt8;
   glm::uvec3 size{0u};
-  std::vector<std::byte> voxels;
+  std::vector<std::byte> voxels;  ///< side by side, x fastest; empty if there is a view
   glm::mat4 objectFromIndex{1.0f};
+  VoxelView view;
 };
 
 /// Opacity and colour by value: linear between the points, constant outside. Values are the file's own, ascending.
@@ -151,6 +167,7 @@ struct TransferFunction {
 struct Volume {
   std::string name;
   std::shared_ptr<const VolumeData> data;
+  std::uint64_t revision = 0;  ///< another one than before says that the voxels of the same data have changed
   glm::mat4 worldFromObject{1.0f};
   int boundary = -1;  ///< index into Scene::meshes of a closed mesh that cuts the volume; -1: its own box
   TransferFunction transfer;
@@ -173,6 +190,6 @@ struct Scene {
 
 /// Throws Error when a value is out of its range, an index points nowhere, a camera or light is degenerate, a
 /// transform cannot be inverted or a mesh with an interior is not closed. Names the object and the remedy.
-void validate(const Scene& scene);
+CDSM_API void validate(const Scene& scene);
 
 }  // namespace cdsm

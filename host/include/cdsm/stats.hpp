@@ -48,11 +48,12 @@ struct CacheStats {
   bool filled = false;  ///< in this frame; false: as it was
 };
 
-/// One launch of a kernel, by its human name.
+/// All launches of a kernel, or transfers, of one human name. Milliseconds are 0 on a queue that keeps no times.
 struct KernelTime {
   std::string name;
   double milliseconds = 0.0;
   std::uint64_t launches = 0;
+  std::uint64_t bytes = 0;  ///< of transfers and fills
 };
 
 /// Of a debug picture.
@@ -69,6 +70,9 @@ struct FrameStats {
   MemoryStats memory;
   std::optional<CacheStats> cache;  ///< none without one
   std::vector<KernelTime> kernels;
+  bool deviceTimes = true;            ///< false: the queue was made without profiling, times of the device are 0
+  std::uint64_t uploadedBytes = 0;    ///< from host to device, by the transfers "upload ..." among `kernels`
+  std::uint64_t copiedBytes = 0;      ///< of voxels, copied on the host because they did not lie side by side
   std::uint64_t shadedSamples = 0;    ///< volume samples with an opacity, summed over the camera's rays
   std::vector<std::string> warnings;  ///< what is other than the scene asks for, and why
   std::vector<std::string> reports;   ///< what a pass had to repeat, and why ("pair buffer grown to ...")

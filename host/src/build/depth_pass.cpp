@@ -52,7 +52,7 @@ std::vector<shared::MapData> DepthPass::run(const DeviceScene& scene, const std:
       device_, sceneProgram(device_, scene, "build/build_depth.cl", {{"CDSM_STOP", rule.kernelFile}}), "buildDepths");
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (jobs[i].kept != memory::kBuildAnew) continue;
-    const ObjectSet casters = scene.castingObjects(jobs[i].casters);
+    const ObjectSet& casters = scene.castingObjects(jobs[i].casters);
     device_.profiler().beginGroup("rasterize");
     const Layers& layers = raster.run(scene, casters, jobs[i].view, report);
     device_.profiler().beginGroup("build maps");

@@ -17,6 +17,9 @@ namespace cdsm::build {
 
 namespace {
 
+/// Sets of casters whose buffers are kept for the next scenes.
+constexpr std::size_t kMostCastingSets = 64;
+
 shared::Affine affineOf(const glm::mat4& m) {
   const auto row = [&](int i) {
     const glm::vec4 r = glm::row(m, i);
@@ -220,22 +223,23 @@ void DeviceScene::requireSteps() const {
 }
 
 void DeviceScene::upload() {
-  const auto put = [&](auto& buffer, const auto& values, const char* name) {
-    buffer = {};
-    buffer = std::decay_t<decltype(buffer)>::fromHost(device_, values, name);
-  };
-  put(media_, hostMedia_, "media");
-  put(extinctions_, extinctionLut_, "extinction tables");
-  put(lightExtinctions_, lightLut_, "extinction tables of light");
-  put(colors_, colorLut_, "colour tables");
+  media_.follow(device_, hostMedia_, "media");
+  extinctions_.follow(device_, extinctionLut_, "extinction tables");
+  lightExtinctions_.follow(device_, lightLut_, "extinction tables of light");
+  colors_.follow(device_, colorLut_, "colour tables");
+  if (casting_.size() > kMostCastingSets) casting_.clear();
   float extinction = 0.0f;
   for (const Mesh& mesh : scene_.meshes) extinction = std::max(extinction, mesh.interiorExtinction);
-  all_ = makeSet(hostObjects_, mediumLists_, interiorStepOf(scene_.shadows, extinction, bounds_.diagonal()));
+  all_ = makeSet(std::move(all_), hostObjects_, mediumLists_,
+                 interiorStepOf(scene_.shadows, extinction, bounds_.diagonal()));
 }
 
-ObjectSet DeviceScene::makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
-                               float interiorStep) const {
-  ObjectSet set;
+ObjectSet DeviceScene::makeSet(ObjectSet former, const std::vector<shared::ObjectData>& objects,
+                               const std::vector<std::uint32_t>& lists, float interiorStep) const {
+  ObjectSet set = std::move(former);
+  set.triangles.clear();
+  set.spheres.clear();
+  set.enclosing.clear();
   set.interiorStep = interiorStep;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].encloses) set.enclosing.push_back(std::uint32_t(i));
@@ -246,12 +250,12 @@ ObjectSet DeviceScene::makeSet(std::vector<shared::ObjectData> objects, const st
     else
       addRange(set.triangles, geometry_.rangeOf(i));
   }
-  set.objects = device::Buffer<shared::ObjectData>::fromHost(device_, objects, "objects");
-  set.lists = device::Buffer<std::uint32_t>::fromHost(device_, lists, "lists of media");
+  set.objects.follow(device_, objects, "objects");
+  set.lists.follow(device_, lists, "lists of media");
   return set;
 }
 
-ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) const {
+const ObjectSet& DeviceScene::castingObjects(const std::vector<unsigned>& casters) const {
   std::vector<bool> casts(hostObjects_.size(), false), encloses(hostObjects_.size(), false);
   scene::Bounds bounds;
   float extinction = 0.0f;
@@ -277,7 +281,8 @@ ObjectSet DeviceScene::castingObjects(const std::vector<unsigned>& casters) cons
     object.mediumCount = shared::uint(lists.size()) - first;
   }
   for (std::size_t i = 0; i < objects.size(); ++i) objects[i].encloses = encloses[i];
-  ObjectSet set = makeSet(std::move(objects), lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
+  ObjectSet& set = casting_[casters];
+  set = makeSet(std::move(set), objects, lists, interiorStepOf(scene_.shadows, extinction, bounds.diagonal()));
   set.towardsLight = true;
   return set;
 }

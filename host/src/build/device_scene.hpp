@@ -2,6 +2,7 @@
 // The scene on the device: triangles, spheres, objects, media, transfer tables and macrocells (shared/scene_data.h).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -43,7 +44,8 @@ class DeviceScene {
   /// All objects, as the camera and points to be answered see them.
   const ObjectSet& allObjects() const { return all_; }
   /// What attenuates light if only these objects cast. Objects are numbered as in scene/objects.hpp.
-  ObjectSet castingObjects(const std::vector<unsigned>& casters) const;
+  /// Valid until the next update().
+  const ObjectSet& castingObjects(const std::vector<unsigned>& casters) const;
 
   /// Arguments of CDSM_SCENE_PARAMS, in its order. `initialObjects`: the objects that contain the eye of the view.
   device::ArgumentList arguments(const ObjectSet& set, const device::Buffer<std::uint32_t>& initialObjects) const;
@@ -83,8 +85,9 @@ class DeviceScene {
   void addVolumeMedium(const Scene& scene, const Volume& volume);
   void updateBounds();
   void upload();
-  ObjectSet makeSet(std::vector<shared::ObjectData> objects, const std::vector<std::uint32_t>& lists,
-                    float interiorStep) const;
+  /// `former`: of the same objects in the scene before, whose buffers it takes over.
+  ObjectSet makeSet(ObjectSet former, const std::vector<shared::ObjectData>& objects,
+                    const std::vector<std::uint32_t>& lists, float interiorStep) const;
   /// Throws Error for a ray step given by the scene that would take more steps across it than a ray may take.
   void requireSteps() const;
 
@@ -94,6 +97,7 @@ class DeviceScene {
   Geometry geometry_;
   SphereBuffer spheres_;
   ObjectSet all_;
+  mutable std::map<std::vector<unsigned>, ObjectSet> casting_;  ///< of the last scenes, by casters
   scene::Bounds bounds_;
 
   /// What an object's bounds were computed from.
@@ -117,9 +121,9 @@ class DeviceScene {
   std::vector<VolumeGrid> grids_;
   std::size_t shadowBlocks_ = 0;
 
-  device::Buffer<shared::MediumData> media_;
-  device::Buffer<float> extinctions_, lightExtinctions_;
-  device::Buffer<shared::float4> colors_;
+  device::Mirror<shared::MediumData> media_;
+  device::Mirror<float> extinctions_, lightExtinctions_;
+  device::Mirror<shared::float4> colors_;
   MacrocellPass cells_;
 };
 

@@ -43,6 +43,7 @@ void MacrocellPass::run(const VolumeSlots& slots, const std::vector<shared::Medi
     if (medium.size.w < 0) continue;
     count += std::size_t(medium.cells.x) * medium.cells.y * medium.cells.z;
     now.data.push_back(slots.slot(medium.size.w).data);
+    now.revisions.push_back(slots.slot(medium.size.w).revision);
     now.tables.insert(now.tables.end(), {medium.lutScale, medium.lutBias, float(medium.lutOffset)});
     for (const shared::float2& corner : curves[i]) now.tables.insert(now.tables.end(), {corner.x, corner.y});
   }

@@ -28,10 +28,12 @@ class MacrocellPass {
   /// What cells were classified from: data, tables and curves of extinctions, where each volume's table is.
   struct Classified {
     std::vector<std::shared_ptr<const VolumeData>> data;
+    std::vector<std::uint64_t> revisions;
     std::vector<float> extinctions, tables;
 
     bool operator==(const Classified& other) const {
-      return data == other.data && extinctions == other.extinctions && tables == other.tables;
+      return data == other.data && revisions == other.revisions && extinctions == other.extinctions &&
+             tables == other.tables;
     }
   };
 

@@ -34,7 +34,7 @@ std::vector<shared::MapData> MapPass::run(const DeviceScene& scene, const std::v
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (kept[i] != memory::kBuildAnew) continue;
     const device::HostStep step(device_.profiler().trace(), "build map " + std::to_string(i));
-    const ObjectSet casters = scene.castingObjects(jobs[i].casters);
+    const ObjectSet& casters = scene.castingObjects(jobs[i].casters);
     for (bool complete = false; !complete;) {
       device_.profiler().beginGroup("rasterize");
       Layers& layers = raster.run(scene, casters, jobs[i].view, report);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "build/geometry.hpp"
-#include "device/buffer.hpp"
+#include "device/mirror.hpp"
 #include "shared/scene_data.h"
 
 namespace cdsm::build {
@@ -14,8 +14,8 @@ namespace cdsm::build {
 /// Objects as kernels see them in this view, under their numbers in the scene. One that does not take part has no
 /// opacity and no media, and none of its triangles or spheres is drawn.
 struct ObjectSet {
-  device::Buffer<shared::ObjectData> objects;
-  device::Buffer<std::uint32_t> lists;    ///< media of all objects, see ObjectData::firstMedium
+  device::Mirror<shared::ObjectData> objects;
+  device::Mirror<std::uint32_t> lists;    ///< media of all objects, see ObjectData::firstMedium
   std::vector<PrimitiveRange> triangles;  ///< that are drawn, neighbouring ranges joined
   std::vector<PrimitiveRange> spheres;    ///< the same
   std::vector<std::uint32_t> enclosing;   ///< objects of which rays keep track whether they are inside

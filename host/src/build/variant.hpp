@@ -17,6 +17,10 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
 /// CDSM_MEMORY and CDSM_NODE_FORMAT of maps in a strategy.
 Defines memoryDefines(const memory::MemoryStrategy& memory);
 
+/// The source of sceneProgram().
+device::ProgramSource sceneSource(const device::Device& device, const DeviceScene& scene, const std::string& entry,
+                                  Defines parts);
+
 /// A kernel file of the scene's variant: the types of its volumes, how the device fetches, how wide its batches are,
 /// whether it has spheres. `parts`: memoryDefines(), CDSM_TECHNIQUE, CDSM_MARCH.
 const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,

@@ -2,6 +2,7 @@
 #include "build/volume_slots.hpp"
 
 #include "device/program.hpp"
+#include "scene/voxels.hpp"
 #include "shared/scene_data.h"
 
 namespace cdsm::build {
@@ -31,19 +32,20 @@ ImageFormat imageFormat(VoxelType type) {
   return {CL_FLOAT, "1.0f", "0.0f"};
 }
 
-/// Signed voxels plus half their range, which turns their highest bits round.
-std::vector<std::byte> shiftedVoxels(const VolumeData& data) {
-  std::vector<std::byte> shifted = data.voxels;
-  const std::size_t bytes = voxelBytes(data.type);
-  for (std::size_t i = bytes - 1; i < shifted.size(); i += bytes) shifted[i] ^= std::byte(0x80);
-  return shifted;
+/// Adds half their range to signed voxels, which turns their highest bits round.
+void shift(std::vector<std::byte>& voxels, std::size_t voxelBytes) {
+  for (std::size_t i = voxelBytes - 1; i < voxels.size(); i += voxelBytes) voxels[i] ^= std::byte(0x80);
 }
 
-device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data) {
+device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data,
+                                  const device::Buffer<std::byte>& buffer) {
+  const device::VolumeTexture::Size size{data.size.x, data.size.y, data.size.z};
+  const cl_channel_type channel = imageFormat(data.type).channel;
   const bool isSigned = data.type == VoxelType::Int8 || data.type == VoxelType::Int16;
-  const std::vector<std::byte> shifted = isSigned ? shiftedVoxels(data) : std::vector<std::byte>();
-  return device::VolumeTexture(device, imageFormat(data.type).channel, {data.size.x, data.size.y, data.size.z},
-                               isSigned ? shifted.data() : data.voxels.data(), data.voxels.size(), "voxels");
+  if (!isSigned) return device::VolumeTexture(device, channel, size, buffer, "voxels");
+  std::vector<std::byte> voxels = data.view.deviceBuffer ? buffer.download() : scene::packedVoxels(data);
+  shift(voxels, voxelBytes(data.type));
+  return device::VolumeTexture(device, channel, size, voxels.data(), voxels.size(), "voxels");
 }
 
 shared::int4 int4Of(const glm::uvec3& v) { return {int(v.x), int(v.y), int(v.z), 0}; }
@@ -70,26 +72,63 @@ const char* voxelTypeName(VoxelType type) {
   return "float";
 }
 
-std::shared_ptr<VoxelSlot> VolumeSlots::makeSlot(const std::shared_ptr<const VolumeData>& data) {
-  const std::uint64_t voxels = std::uint64_t(data->size.x) * data->size.y * data->size.z;
+device::Buffer<std::byte> VolumeSlots::makeVoxels(const VolumeData& data) const {
+  using Bytes = device::Buffer<std::byte>;
+  const std::size_t bytes = scene::voxelCount(data) * voxelBytes(data.type);
+  if (data.view.deviceBuffer)
+    return Bytes::adopt(device_, static_cast<cl_mem>(data.view.deviceBuffer.get()), bytes, "voxels");
+  const scene::HostVoxels voxels = scene::hostVoxels(data);
+  if (!voxels.dense) {
+    device_.profiler().countCopy(bytes);
+    return Bytes::fromHost(device_, scene::packedVoxels(data), "voxels");
+  }
+  const bool aligned = reinterpret_cast<std::uintptr_t>(voxels.first) % voxelBytes(data.type) == 0;
+  if (!aligned || !Bytes::canBeInPlace(device_, voxels.first, bytes))
+    return Bytes::fromHost(device_, voxels.first, bytes, "voxels");
+  return Bytes::inPlace(device_, voxels.first, bytes, "voxels");
+}
+
+void VolumeSlots::requireFinite(const Volume& volume, const device::Buffer<std::byte>& voxels) const {
+  using Uints = device::Buffer<std::uint32_t>;
+  if (!volume.data->view.deviceBuffer || volume.data->type != VoxelType::Float32) return;
+  const std::size_t count = scene::voxelCount(*volume.data);
+  Uints first(device_, 1, "first voxel that is not finite");
+  first.fill(~0u);
+  device::Kernel<std::uint32_t, device::Buffer<std::byte>, Uints> findNonFinite(
+      device_, device_.programs().get({"build/check_voxels.cl", {}, {}}), "findNonFinite");
+  findNonFinite({"check voxels", {count}, {64}}, std::uint32_t(count), voxels, first);
+  const std::uint32_t bad = first.read(0);
+  if (bad != ~0u)
+    throw Error("volume '" + volume.name + "': voxel " + std::to_string(bad) + " is not finite, must be a number");
+}
+
+void VolumeSlots::findCellBounds(VoxelSlot& slot) const {
+  const VolumeData& data = *slot.data;
+  const glm::uvec3 cells = cellCounts(data);
+  const std::size_t count = std::size_t(cells.x) * cells.y * cells.z;
+  slot.cellBounds = device::Buffer<shared::float2>(device_, count, "bounds of macrocells");
+  const cl::Program& program =
+      device_.programs().get({"build/cell_bounds.cl", {{"CDSM_VOXEL", voxelTypeName(data.type)}}, {}});
+  device::Kernel<shared::int4, shared::int4, device::Buffer<std::byte>, device::Buffer<shared::float2>> cellBounds(
+      device_, program, "cellBounds");
+  cellBounds({"macrocell bounds", {count}, {64}}, int4Of(data.size), int4Of(cells), slot.voxels, slot.cellBounds);
+}
+
+std::shared_ptr<VoxelSlot> VolumeSlots::makeSlot(const Volume& volume) {
+  const std::size_t voxels = scene::voxelCount(*volume.data);
   if (voxels > 0x7fffffffu)
     throw DeviceError("a volume has " + std::to_string(voxels) +
                       " voxels, more than 2^31 - 1; cut it into several volumes");
   auto slot = std::make_shared<VoxelSlot>();
-  slot->data = data;
-  slot->voxels = device::Buffer<std::byte>::fromHost(device_, data->voxels, "voxels");
-  const glm::uvec3 cells = cellCounts(*data);
-  const std::size_t count = std::size_t(cells.x) * cells.y * cells.z;
-  slot->cellBounds = device::Buffer<shared::float2>(device_, count, "bounds of macrocells");
-  const cl::Program& program =
-      device_.programs().get({"build/cell_bounds.cl", {{"CDSM_VOXEL", voxelTypeName(data->type)}}, {}});
-  device::Kernel<shared::int4, shared::int4, device::Buffer<std::byte>, device::Buffer<shared::float2>> cellBounds(
-      device_, program, "cellBounds");
-  cellBounds({"macrocell bounds", {count}, {64}}, int4Of(data->size), int4Of(cells), slot->voxels, slot->cellBounds);
+  slot->data = volume.data;
+  slot->revision = volume.revision;
+  slot->voxels = makeVoxels(*volume.data);
+  requireFinite(volume, slot->voxels);
+  findCellBounds(*slot);
   if (device_.fetchImages()) {
+    slot->texture = makeTexture(device_, *volume.data, slot->voxels);
     device_.finish();
     slot->voxels = {};
-    slot->texture = makeTexture(device_, *data);
   }
   return slot;
 }
@@ -100,7 +139,8 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
   for (const Volume& volume : volumes) {
     if (!numbers.emplace(volume.data.get(), int(slots.size())).second) continue;
     const auto known = numbers_.find(volume.data.get());
-    slots.push_back(known != numbers_.end() ? slots_[known->second] : nullptr);
+    const bool same = known != numbers_.end() && slots_[known->second]->revision == volume.revision;
+    slots.push_back(same ? slots_[known->second] : nullptr);
   }
   // forget what is no longer used before anything new needs the room
   slots_ = std::move(slots);
@@ -108,7 +148,7 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
   try {
     for (const Volume& volume : volumes) {
       auto& slot = slots_[numbers_.at(volume.data.get())];
-      if (!slot) slot = makeSlot(volume.data);
+      if (!slot) slot = makeSlot(volume);
     }
   } catch (...) {
     slots_.clear();

@@ -20,6 +20,7 @@ namespace cdsm::build {
 /// Voxels of one volume on the device, and the bounds of the values in each macrocell.
 struct VoxelSlot {
   std::shared_ptr<const VolumeData> data;  ///< kept, so that its address stays its identity
+  std::uint64_t revision = 0;              ///< of the data
   device::Buffer<std::byte> voxels;        ///< empty on devices that read images
   device::VolumeTexture texture;
   device::Buffer<shared::float2> cellBounds;
@@ -48,7 +49,12 @@ class VolumeSlots {
   device::ArgumentList arguments() const;
 
  private:
-  std::shared_ptr<VoxelSlot> makeSlot(const std::shared_ptr<const VolumeData>& data);
+  std::shared_ptr<VoxelSlot> makeSlot(const Volume& volume);
+  /// The voxels where they are if the device can read them there, else a copy.
+  device::Buffer<std::byte> makeVoxels(const VolumeData& data) const;
+  /// Throws Error for a float voxel in a given buffer that is not finite; others were looked at on the host.
+  void requireFinite(const Volume& volume, const device::Buffer<std::byte>& voxels) const;
+  void findCellBounds(VoxelSlot& slot) const;
 
   device::Device& device_;
   std::vector<std::shared_ptr<VoxelSlot>> slots_;

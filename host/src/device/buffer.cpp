@@ -24,6 +24,47 @@ void BufferStorage::allocate(std::size_t count, std::size_t elementBytes) {
                     [&] { return cl::Buffer(device_->context(), CL_MEM_READ_WRITE, bytes); });
 }
 
+BufferStorage BufferStorage::inPlace(Device& device, void* memory, std::size_t bytes, bool written, std::string name) {
+  BufferStorage storage;
+  storage.device_ = &device;
+  storage.name_ = std::move(name);
+  storage.claim_ = MemoryClaim(device.account(), bytes, "buffer '" + storage.name_ + "'");
+  const cl_mem_flags access = written ? CL_MEM_READ_WRITE : CL_MEM_READ_ONLY;
+  storage.buffer_ = guarded("buffer '" + storage.name_ + "' in the host's memory",
+                            [&] { return cl::Buffer(device.context(), access | CL_MEM_USE_HOST_PTR, bytes, memory); });
+  return storage;
+}
+
+BufferStorage BufferStorage::adopt(Device& device, cl_mem buffer, std::size_t bytes, std::string name) {
+  if (!buffer) throw DeviceError("the buffer given as '" + name + "' is null");
+  BufferStorage storage;
+  storage.device_ = &device;
+  storage.name_ = std::move(name);
+  guarded("the buffer given as '" + storage.name_ + "'", [&] {
+    storage.buffer_ = cl::Buffer(buffer, true);
+    const std::string what = "the memory given as '" + storage.name_ + "' ";
+    if (storage.buffer_.getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_BUFFER)
+      throw DeviceError(what + "is an image, must be a buffer");
+    if (storage.buffer_.getInfo<CL_MEM_CONTEXT>()() != device.context()())
+      throw DeviceError(what + "is of another context, must be of the engine's (opencl::placeOf)");
+    const std::size_t has = storage.buffer_.getInfo<CL_MEM_SIZE>();
+    if (has < bytes)
+      throw DeviceError(what + "has " + std::to_string(has) + " bytes, must have at least " + std::to_string(bytes));
+  });
+  return storage;
+}
+
+void BufferStorage::toHost(std::size_t bytes) const {
+  if (bytes == 0) return;
+  Device& device = opened();
+  cl::Event event;
+  guarded("reading buffer '" + name_ + "' in place", [&] {
+    void* mapped = device.queue().enqueueMapBuffer(buffer_, CL_TRUE, CL_MAP_READ, 0, bytes, nullptr, &event);
+    device.queue().enqueueUnmapMemObject(buffer_, mapped);
+  });
+  device.profiler().record("map " + name_, event);
+}
+
 void BufferStorage::reallocate(std::size_t count, std::size_t elementBytes) {
   opened();
   buffer_ = cl::Buffer();

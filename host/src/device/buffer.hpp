@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -27,6 +28,11 @@ class BufferStorage {
   /// Throws DeviceError naming the buffer, count * elementBytes and the device's limit when it does not fit.
   BufferStorage(Device& device, std::size_t count, std::size_t elementBytes, std::string name);
 
+  /// Memory of the host's, which must stay where it is.
+  static BufferStorage inPlace(Device& device, void* memory, std::size_t bytes, bool written, std::string name);
+  /// Somebody else's buffer, retained. Throws DeviceError unless it is a buffer of the device's context with `bytes`.
+  static BufferStorage adopt(Device& device, cl_mem buffer, std::size_t bytes, std::string name);
+
   const cl::Buffer& cl() const { return buffer_; }
   const std::string& name() const { return name_; }
   Device* device() const { return device_; }
@@ -34,6 +40,8 @@ class BufferStorage {
   void write(const void* source, std::size_t bytes, std::size_t offset);
   void read(void* target, std::size_t bytes, std::size_t offset) const;
   void fill(const void* pattern, std::size_t patternBytes, std::size_t bytes);
+  /// In place: what kernels wrote is in the host's memory when it returns.
+  void toHost(std::size_t bytes) const;
   /// Frees first, so that old and new need not fit together.
   void reallocate(std::size_t count, std::size_t elementBytes);
   /// Throws DeviceError unless offset + count <= size (all in elements).
@@ -76,6 +84,22 @@ class Buffer {
   static Buffer fromHost(Device& device, const std::vector<T>& values, std::string name) {
     return fromHost(device, values.data(), values.size(), std::move(name));
   }
+  /// Whether kernels can use an array where it is.
+  static bool canBeInPlace(const Device& device, const T* values, std::size_t count) {
+    return count > 0 && device.sharesHostMemory() && reinterpret_cast<std::uintptr_t>(values) % alignof(T) == 0;
+  }
+  /// The array itself, which must stay until the buffer is gone; kernels only read it.
+  static Buffer inPlace(Device& device, const T* values, std::size_t count, std::string name) {
+    return {BufferStorage::inPlace(device, const_cast<T*>(values), count * sizeof(T), false, std::move(name)), count};
+  }
+  /// The same for kernels that write; then comes toHost().
+  static Buffer inPlace(Device& device, T* values, std::size_t count, std::string name) {
+    return {BufferStorage::inPlace(device, values, count * sizeof(T), true, std::move(name)), count};
+  }
+  /// Somebody else's buffer of at least `count` elements.
+  static Buffer adopt(Device& device, cl_mem buffer, std::size_t count, std::string name) {
+    return {BufferStorage::adopt(device, buffer, count * sizeof(T), std::move(name)), count};
+  }
 
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return size_ * sizeof(T); }
@@ -99,6 +123,8 @@ class Buffer {
     storage_.read(values.data(), count * sizeof(T), offset * sizeof(T));
     return values;
   }
+  void download(T* values) const { storage_.read(values, bytes(), 0); }
+  void toHost() const { storage_.toHost(bytes()); }
   T read(std::size_t index) const {
     storage_.checkRange(index, 1, size_);
     T value;
@@ -123,6 +149,8 @@ class Buffer {
   }
 
  private:
+  Buffer(BufferStorage storage, std::size_t count) : storage_(std::move(storage)), size_(count) {}
+
   BufferStorage storage_;
   std::size_t size_ = 0;
 };

@@ -131,6 +131,13 @@ std::vector<ListedDevice> findDevices() {
   return devices;
 }
 
+DeviceDescription describeDevice(const cl::Device& device) {
+  const cl::Platform own(device.getInfo<CL_DEVICE_PLATFORM>());
+  for (ListedDevice& listed : findDevices())
+    if (listed.handle() == device()) return std::move(listed.description);
+  return describe(device, own.getInfo<CL_PLATFORM_NAME>(), "");  // a part of a device, say
+}
+
 const ListedDevice& chooseDevice(const std::vector<ListedDevice>& devices, const std::string& spec) {
   const ListedDevice* unusable = nullptr;
   for (const ListedDevice& device : devices) {

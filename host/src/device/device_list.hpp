@@ -19,6 +19,9 @@ struct ListedDevice {
 /// Platforms without devices and platforms or devices that fail to describe themselves are passed over.
 std::vector<ListedDevice> findDevices();
 
+/// What a device is, with its id among findDevices().
+DeviceDescription describeDevice(const cl::Device& device);
+
 /// The device that `spec` means ("P:D", part of a name, empty: the first usable). Throws Error that lists what exists.
 const ListedDevice& chooseDevice(const std::vector<ListedDevice>& devices, const std::string& spec);
 

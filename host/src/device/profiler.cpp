@@ -3,6 +3,7 @@
 #include "device/profiler.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "device/cl_error.hpp"
 
@@ -10,6 +11,7 @@ namespace cdsm::device {
 namespace {
 
 constexpr std::size_t kPendingBeforeFolding = 256;  // bounds the events kept alive in a long session
+constexpr std::string_view kUpload = "upload ";     // how names of transfers from the host begin
 constexpr double kMillisecondsPerNanosecond = 1e-6;
 
 /// Milliseconds from start to end; 0 where the device keeps no times.
@@ -45,8 +47,17 @@ std::vector<KernelTime> Profiler::kernels() {
     KernelTime& time = known != times.end() ? *known : times.emplace_back(KernelTime{entry.name});
     time.milliseconds += entry.milliseconds;
     time.launches += entry.launches;
+    time.bytes += entry.bytes;
   }
   return times;
+}
+
+std::uint64_t Profiler::uploadedBytes() {
+  foldAll();
+  std::uint64_t sum = 0;
+  for (const Entry& entry : entries_)
+    if (entry.name.compare(0, kUpload.size(), kUpload) == 0) sum += entry.bytes;
+  return sum;
 }
 
 double Profiler::groupMilliseconds(const std::string& group) {
@@ -67,6 +78,7 @@ void Profiler::reset() {
   trace_.clear();
   pending_.clear();
   entries_.clear();
+  copiedBytes_ = 0;
 }
 
 void Profiler::foldFinished() {
@@ -87,8 +99,9 @@ void Profiler::foldFront() {
   guarded("launch of '" + front.command.name + "'", [&] {
     front.event.wait();
     Entry& sum = entry(front.command.name, front.command.group);
-    sum.milliseconds += duration(front.event);
+    if (!ignoresTimes_) sum.milliseconds += duration(front.event);
     ++sum.launches;
+    sum.bytes += front.command.size.bytes;
     if (sink_) trace_.add(front.command, front.event);
   });
 }

@@ -25,6 +25,9 @@ class Profiler {
   /// Call it as soon as the command is enqueued.
   void record(const std::string& name, const cl::Event& event, const CommandSize& size = {});
 
+  /// The queue keeps no times, whatever its events say: all are 0.
+  void ignoreTimes() { ignoresTimes_ = true; }
+
   /// Where traced events go; empty: none are kept. Steps of the host go there at once.
   void setTrace(TraceSink sink) { sink_ = std::move(sink); }
   const TraceSink& trace() const { return sink_; }
@@ -36,6 +39,13 @@ class Profiler {
   std::vector<KernelTime> kernels();
   /// Sum over what was recorded in the group; 0 for a group that never was. Waits and throws as kernels() does.
   double groupMilliseconds(const std::string& group);
+  /// Of transfers from the host, which are called "upload ...". Waits and throws as kernels() does.
+  std::uint64_t uploadedBytes();
+
+  /// Bytes that were copied on the host since the last reset().
+  void countCopy(std::uint64_t bytes) { copiedBytes_ += bytes; }
+  std::uint64_t copiedBytes() const { return copiedBytes_; }
+
   /// Forgets all times; the current group stays.
   void reset();
 
@@ -49,6 +59,7 @@ class Profiler {
     std::string group;
     double milliseconds = 0.0;
     std::uint64_t launches = 0;
+    std::uint64_t bytes = 0;
   };
 
   void foldFinished();
@@ -56,11 +67,13 @@ class Profiler {
   void foldFront();
   Entry& entry(const std::string& name, const std::string& group);
 
+  bool ignoresTimes_ = false;
   std::string group_;
   TraceSink sink_;
   CommandTrace trace_;
   std::deque<Pending> pending_;
   std::vector<Entry> entries_;
+  std::uint64_t copiedBytes_ = 0;
 };
 
 }  // namespace cdsm::device

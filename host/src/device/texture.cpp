@@ -61,8 +61,8 @@ std::string VolumeTexture::obstacle(const Device& device, cl_channel_type type, 
   return guarded("asking for image formats", [&] { return obstacle3d(device, type, size); });
 }
 
-VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels,
-                             std::size_t bytes, const std::string& name)
+VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& size, std::size_t bytes,
+                             const std::string& name)
     : size_(size) {
   const std::string what = "texture '" + name + "'";
   const std::string reason = obstacle(device, type, size);
@@ -73,12 +73,29 @@ VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& s
                       std::to_string(needed));
   }
   claim_ = MemoryClaim(device.account(), bytes, what);
-  cl::Event event;
   guarded(what + " of " + std::to_string(bytes) + " bytes", [&] {
     image_ = cl::Image3D(device.context(), CL_MEM_READ_ONLY, cl::ImageFormat(CL_R, type), size[0], size[1], size[2]);
+  });
+}
+
+VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels,
+                             std::size_t bytes, const std::string& name)
+    : VolumeTexture(device, type, size, bytes, name) {
+  cl::Event event;
+  guarded("upload of texture '" + name + "'", [&] {
     device.queue().enqueueWriteImage(image_, CL_TRUE, {0, 0, 0}, size, 0, 0, voxels, nullptr, &event);
   });
   device.profiler().record("upload " + name, event, {bytes});
+}
+
+VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& size, const Buffer<std::byte>& voxels,
+                             const std::string& name)
+    : VolumeTexture(device, type, size, voxels.bytes(), name) {
+  cl::Event event;
+  guarded("fill of texture '" + name + "'", [&] {
+    device.queue().enqueueCopyBufferToImage(voxels.cl(), image_, 0, {0, 0, 0}, size, nullptr, &event);
+  });
+  device.profiler().record("fill " + name, event, {voxels.bytes()});
 }
 
 std::array<std::size_t, 2> NodeTexture::maxSize(const Device& device) {

@@ -9,6 +9,7 @@
 
 #include <CL/opencl.hpp>
 
+#include "device/buffer.hpp"
 #include "device/device.hpp"
 #include "device/memory_account.hpp"
 
@@ -24,6 +25,9 @@ class VolumeTexture {
   /// `bytes` of them. Throws DeviceError with obstacle()'s reason, or when `bytes` is not what size and type need.
   VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels, std::size_t bytes,
                 const std::string& name);
+  /// The same of voxels that are on the device already.
+  VolumeTexture(Device& device, cl_channel_type type, const Size& size, const Buffer<std::byte>& voxels,
+                const std::string& name);
 
   /// Why the device cannot hold such a texture ("images of at most 2048 x 2048 x 2048 ..."); empty if it can.
   static std::string obstacle(const Device& device, cl_channel_type type, const Size& size);
@@ -32,6 +36,9 @@ class VolumeTexture {
   const Size& size() const { return size_; }
 
  private:
+  /// An image without content. Throws DeviceError where the device has none such.
+  VolumeTexture(Device& device, cl_channel_type type, const Size& size, std::size_t bytes, const std::string& name);
+
   MemoryClaim claim_;
   cl::Image3D image_;
   Size size_{0, 0, 0};

@@ -2,21 +2,17 @@
 // What cdsm.hpp promises.
 #include <cdsm/cdsm.hpp>
 
-#include "engine/frame.hpp"
+#include <cmath>
+
+#include "engine/engine_impl.hpp"
 #include "engine/view_names.hpp"
 
 namespace cdsm {
 
 namespace {
 
-/// Number of the light of that name.
-std::size_t lightNumber(const Scene& scene, const std::string& light) {
-  std::string known;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    if (scene.lights[i].name == light) return i;
-    known += (known.empty() ? "" : ", ") + scene.lights[i].name;
-  }
-  throw Error("there is no light '" + light + "'; " + (known.empty() ? "the scene has none" : "known: " + known));
+std::size_t numberOf(const Scene& scene, const std::string& light) {
+  return engine::lightNumber(engine::lightNames(scene), light);
 }
 
 /// Throws Error if the scene has no maps to show.
@@ -28,43 +24,88 @@ void checkView(const Scene& scene, DebugView view) {
   if (scene.lights.empty()) throw Error(start + "the scene has no light, must have one");
 }
 
+bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+/// Throws Error for null arrays and for the first point that is not finite.
+void checkPoints(const glm::vec3* points, std::size_t count, const float* values) {
+  if (count == 0) return;
+  if (!points || !values)
+    throw Error(std::string(points ? "values" : "points") + " is null, must be an array of " + std::to_string(count));
+  float sum = 0.0f;  // of zeros, or not a number
+  for (std::size_t i = 0; i < count; ++i) sum += 0.0f * points[i].x + 0.0f * points[i].y + 0.0f * points[i].z;
+  if (sum == 0.0f) return;
+  std::size_t bad = 0;
+  while (bad + 1 < count && isFinite(points[bad])) ++bad;
+  throw Error("point " + std::to_string(bad) + " is not finite, must be numbers");
+}
+
 }  // namespace
 
 std::vector<DeviceDescription> listDevices() { return device::Device::list(); }
 
-struct Engine::Impl {
-  explicit Impl(const EngineOptions& options) : frame(options) {}
-  engine::FrameState frame;
-};
-
-Engine::Engine(const EngineOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+Engine::Engine(const EngineOptions& options)
+    : Engine(std::make_unique<Impl>(options, device::Device::open(options.device, options.fetch))) {}
+Engine::Engine(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
-const DeviceDescription& Engine::device() const { return impl_->frame.device(); }
-const FrameStats& Engine::stats() const { return impl_->frame.stats(); }
+Engine::Impl& Engine::impl() const {
+  if (!impl_) throw Error("an engine is used that was moved from; use the one that it was moved to");
+  return *impl_;
+}
+
+const DeviceDescription& Engine::device() const { return impl().frame.device().description(); }
+const FrameStats& Engine::stats() const { return impl().frame.stats(); }
 
 Image Engine::render(const Scene& scene) {
-  impl_->frame.check(scene);
-  return impl_->frame.render(scene);
+  impl().frame.check(scene);
+  Image image{scene.image.width, scene.image.height, {}};
+  image.pixels.resize(std::size_t(image.width) * std::size_t(image.height));
+  impl().frame.render(scene, image.pixels.data());
+  return image;
+}
+
+void Engine::render(const Scene& scene, glm::vec4* pixels) {
+  impl().frame.check(scene);
+  if (!pixels) throw Error("pixels is null, must be an array of image.width * image.height");
+  impl().frame.render(scene, pixels);
 }
 
 Image Engine::render(const Scene& scene, const ViewOptions& options) {
-  impl_->frame.check(scene);
+  impl().frame.check(scene);
   checkView(scene, options.view);
-  return impl_->frame.renderView(scene, options.view, options.light ? lightNumber(scene, *options.light) : 0);
+  return impl().frame.renderView(scene, options.view, options.light ? numberOf(scene, *options.light) : 0);
+}
+
+void Engine::prepare(const Scene& scene) {
+  impl().frame.check(scene);
+  impl().frame.prepareQueries(scene);
+}
+
+void Engine::transmittance(const std::string& light, const glm::vec3* points, std::size_t count, float* values) {
+  const std::size_t number = numberOf(impl().frame.readyScene(), light);
+  checkPoints(points, count, values);
+  impl().frame.query(number, points, count, values);
 }
 
 std::vector<Transmittance> Engine::transmittance(const Scene& scene, const std::string& light,
                                                  const std::vector<glm::vec3>& points) {
-  impl_->frame.check(scene);
-  return impl_->frame.transmittance(scene, lightNumber(scene, light), points);
+  impl().frame.check(scene);
+  std::vector<float> values(points.size());
+  checkPoints(points.data(), points.size(), values.data());
+  impl().frame.query(scene, numberOf(scene, light), points.data(), points.size(), values.data());
+  std::vector<Transmittance> results(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    results[i] = {std::uint8_t(values[i] >= 0.0f), std::max(values[i], 0.0f)};
+  return results;
 }
 
 std::vector<LightMap> Engine::lightMaps(const Scene& scene, const std::string& light) {
-  impl_->frame.check(scene);
-  return impl_->frame.lightMaps(scene, lightNumber(scene, light));
+  impl().frame.check(scene);
+  return impl().frame.lightMaps(scene, numberOf(scene, light));
 }
+
+void Engine::drop() { impl().frame.drop(); }
 
 }  // namespace cdsm

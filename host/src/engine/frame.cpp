@@ -14,9 +14,9 @@
 
 namespace cdsm::engine {
 
-FrameState::FrameState(const EngineOptions& options)
+FrameState::FrameState(const EngineOptions& options, std::unique_ptr<device::Device> device)
     : options_(options),
-      device_(device::Device::open(options.device, options.fetch)),
+      device_(std::move(device)),
       deviceScene_(*device_),
       raster_(*device_),
       shade_(*device_),
@@ -25,6 +25,13 @@ FrameState::FrameState(const EngineOptions& options)
       debug_(*device_),
       mapReader_(*device_) {
   device_->profiler().setTrace(options_.trace);
+}
+
+FrameState::~FrameState() {
+  try {
+    device_->finish();
+  } catch (const Error&) {  // nothing is left to be told
+  }
 }
 
 device::HostStep FrameState::step(const char* name) const { return {device_->profiler().trace(), name}; }
@@ -37,18 +44,17 @@ void FrameState::check(const Scene& scene) {
   for (const Light& light : scene.lights) scene::validateLight(light);
 }
 
-Image FrameState::render(const Scene& scene) {
+void FrameState::render(const Scene& scene, glm::vec4* pixels) {
   const device::HostStep traced = step("render image");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
 
   progress("render", 0.0f);
   device_->profiler().beginGroup("render");
-  Image image = resolve(shade(scene).pixels, scene.image);
+  resolve(shade(scene).pixels, scene.image, pixels);
 
   finishStats(scene);
   progress("render", 1.0f);
-  return image;
 }
 
 build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
@@ -64,20 +70,6 @@ render::ShadedView FrameState::shade(const Scene& scene) {
   render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_);
   stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
   return shaded;
-}
-
-std::vector<Transmittance> FrameState::transmittance(const Scene& scene, std::size_t light,
-                                                     const std::vector<glm::vec3>& points) {
-  const device::HostStep traced = step("answer query");
-  beginStats();
-  prepare(scene, cluster::Purpose::Points);
-  device_->profiler().beginGroup("render");
-  const std::vector<float> values = query_.run(scene, deviceScene_, light, points, lights_, *technique_, cache_);
-  std::vector<Transmittance> results;
-  results.reserve(values.size());
-  for (const float value : values) results.push_back({std::uint8_t(value >= 0.0f), std::max(value, 0.0f)});
-  finishStats(scene);
-  return results;
 }
 
 std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t light) {
@@ -96,12 +88,15 @@ std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t ligh
 
 void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   const std::optional<Scene> before = std::exchange(current_, std::nullopt);
+  purpose_ = purpose;
   const bool objects = before && scene::sameObjects(*before, scene);
   if (!objects) uploadObjects(scene);
   const bool technique = before && before->shadows.technique == scene.shadows.technique &&
                          before->shadows.memory == scene.shadows.memory &&
                          before->shadows.maxNodes == scene.shadows.maxNodes &&
                          before->shadows.nodeFormat == scene.shadows.nodeFormat;
+  const bool cache = before && before->shadows.cache == scene.shadows.cache;
+  if (!objects || !technique || !cache) query_.forgetKernel();
   if (!technique) {
     technique_.reset();
     technique_ = technique::makeTechnique(scene.shadows, *device_);
@@ -119,6 +114,7 @@ void FrameState::uploadObjects(const Scene& scene) {
   const device::HostStep traced = step("upload objects");
   progress("upload", 0.0f);
   device_->profiler().beginGroup("upload");
+  device_->finish();  // a query may still read memory of the host's that nobody keeps from here on
   deviceScene_.update(scene);
 }
 
@@ -138,7 +134,7 @@ void FrameState::uploadLights(const Scene& scene) {
     lights.back().firstShadowBlock = shared::uint(i * deviceScene_.shadowBlocks());
     lights.back().mediumCount = shared::uint(deviceScene_.mediumCount());
   }
-  lights_ = device::Buffer<shared::LightData>::fromHost(*device_, lights, "lights");
+  lights_.follow(*device_, lights, "lights");
 }
 
 void FrameState::beginStats() {
@@ -154,7 +150,16 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
+  stats_.uploadedBytes = profiler.uploadedBytes();
   profiler.flushTrace();
+  addMapStats(scene);
+  if (options_.warning)
+    for (const std::string& warning : stats_.warnings) options_.warning(warning);
+}
+
+void FrameState::addMapStats(const Scene& scene) {
+  stats_.deviceTimes = device_->keepsTimes();
+  stats_.copiedBytes = device_->profiler().copiedBytes();
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.cache = cache_.stats();

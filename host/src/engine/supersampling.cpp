@@ -21,14 +21,18 @@ Image resolve(const std::vector<shared::float4>& rays, const ImageSettings& sett
   Image image;
   image.width = settings.width;
   image.height = settings.height;
-  image.pixels.reserve(std::size_t(image.width) * image.height);
-  const int side = settings.supersampling;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const glm::vec4 pixel = averageRays(rays, x, y, side, image.width * side);
-      image.pixels.emplace_back(glm::vec3(pixel) + (1.0f - pixel.w) * settings.background, pixel.w);
-    }
+  image.pixels.resize(std::size_t(image.width) * image.height);
+  resolve(rays, settings, image.pixels.data());
   return image;
+}
+
+void resolve(const std::vector<shared::float4>& rays, const ImageSettings& settings, glm::vec4* pixels) {
+  const int side = settings.supersampling;
+  for (int y = 0; y < settings.height; ++y)
+    for (int x = 0; x < settings.width; ++x) {
+      const glm::vec4 pixel = averageRays(rays, x, y, side, settings.width * side);
+      *pixels++ = glm::vec4(glm::vec3(pixel) + (1.0f - pixel.w) * settings.background, pixel.w);
+    }
 }
 
 }  // namespace cdsm::engine

@@ -12,5 +12,7 @@ namespace cdsm::engine {
 
 /// `rays`: supersampling^2 per pixel, row after row, colours weighted by their opacity in w.
 Image resolve(const std::vector<shared::float4>& rays, const ImageSettings& settings);
+/// The same into width * height pixels.
+void resolve(const std::vector<shared::float4>& rays, const ImageSettings& settings, glm::vec4* pixels);
 
 }  // namespace cdsm::engine

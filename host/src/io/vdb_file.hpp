@@ -9,7 +9,7 @@
 namespace cdsm::io {
 
 /// `grid` names a grid of float, double, int32 or int64; "": the first one of float. Index coordinates and the file's
-/// own transform say where voxels lie: a voxel's centre is at its index.
-StoredVolume readVdb(const std::string& path, const std::string& grid);
+/// own transform say where voxels lie: a voxel's centre is at its index. Its file shows all else that it defines.
+__attribute__((visibility("hidden"))) StoredVolume readVdb(const std::string& path, const std::string& grid);
 
 }  // namespace cdsm::io

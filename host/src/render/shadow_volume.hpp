@@ -24,6 +24,12 @@ class ShadowVolume {
                const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
                const Progress& progress);
 
+  /// Forgets what it was filled with.
+  void drop() {
+    voxels_ = {};
+    filled_.reset();
+  }
+
   /// Those of the technique, and CDSM_CACHE.
   build::Defines kernelFiles(const technique::ShadowTechnique& technique) const;
   /// Arguments of CDSM_LIGHT_PARAMS behind TechniqueParams.

@@ -32,8 +32,9 @@ bool same(const TransferFunction& a, const TransferFunction& b) {
 
 bool same(const Volume& a, const Volume& b) {
   const auto plain = [](const Volume& v) {
-    return std::tuple_cat(std::tie(v.name, v.data, v.worldFromObject, v.boundary, v.specular, v.shininess, v.shading),
-                          key(v.shadow));
+    return std::tuple_cat(
+        std::tie(v.name, v.data, v.revision, v.worldFromObject, v.boundary, v.specular, v.shininess, v.shading),
+        key(v.shadow));
   };
   return plain(a) == plain(b) && same(a.transfer, b.transfer);
 }
@@ -60,7 +61,9 @@ auto spheresCaster(const Scene& scene, std::size_t index) {
 
 CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
   const Volume &v = a.volumes[index], &w = b.volumes[index];
-  const auto grid = [](const Volume& x) { return std::tie(x.data, x.worldFromObject, x.boundary, x.shadow.casts); };
+  const auto grid = [](const Volume& x) {
+    return std::tie(x.data, x.revision, x.worldFromObject, x.boundary, x.shadow.casts);
+  };
   if (grid(v) != grid(w)) return CasterChange::Other;
   if (v.boundary >= 0) {
     const Mesh &m = a.meshes[v.boundary], &n = b.meshes[v.boundary];

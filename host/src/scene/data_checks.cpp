@@ -11,11 +11,11 @@ DataChecks::Known* DataChecks::find(const std::shared_ptr<const void>& data) {
   return entry != known_.end() && !entry->second.owner.expired() ? &entry->second : nullptr;
 }
 
-void DataChecks::remember(const std::shared_ptr<const void>& data) {
+void DataChecks::remember(const std::shared_ptr<const void>& data, std::uint64_t revision) {
   for (auto entry = known_.begin(); entry != known_.end();) {
     entry = entry->second.owner.expired() ? known_.erase(entry) : std::next(entry);
   }
-  known_[data.get()] = {data, std::nullopt};
+  known_[data.get()] = {data, std::nullopt, revision};
 }
 
 void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what) {
@@ -24,10 +24,12 @@ void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const
   remember(data);
 }
 
-void DataChecks::requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what) {
-  if (find(data)) return;
+void DataChecks::requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what,
+                              std::uint64_t revision) {
+  const Known* known = find(data);
+  if (known && known->revision == revision) return;
   validateVolumeData(*data, what);
-  remember(data);
+  remember(data, revision);
 }
 
 void DataChecks::requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,9 +17,10 @@ namespace cdsm::scene {
 /// Does not keep them alive. For one thread.
 class DataChecks {
  public:
-  /// validateMeshData(), validateVolumeData() and validateSphereData(), unless the same data passed before.
+  /// validateMeshData(), validateVolumeData() and validateSphereData(), unless the same data of the same revision
+  /// passed before.
   void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what);
-  void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what);
+  void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what, std::uint64_t revision = 0);
   void requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what);
 
   /// openEdges() of valid data.
@@ -28,10 +30,11 @@ class DataChecks {
   struct Known {
     std::weak_ptr<const void> owner;  ///< expired: another may have the address by now
     std::optional<std::size_t> openEdges;
+    std::uint64_t revision = 0;  ///< of voxels: Volume::revision
   };
 
   Known* find(const std::shared_ptr<const void>& data);
-  void remember(const std::shared_ptr<const void>& data);
+  void remember(const std::shared_ptr<const void>& data, std::uint64_t revision = 0);
 
   std::map<const void*, Known> known_;
 };

@@ -174,7 +174,7 @@ void validateVolume(const Volume& volume, const std::vector<Mesh>& meshes, DataC
   const std::string what = quoted("volume", volume.name);
   if (!volume.data) throw Error(what + " has no data, must point to a VolumeData");
   requireTransform(volume.worldFromObject, what);
-  checks.requireValid(volume.data, what);
+  checks.requireValid(volume.data, what, volume.revision);
   requireReach(boxCorners(*volume.data), glm::dmat4(volume.worldFromObject) * glm::dmat4(volume.data->objectFromIndex),
                what);
   validateTransferFunction(volume.transfer, what);

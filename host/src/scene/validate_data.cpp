@@ -9,6 +9,7 @@
 #include "scene/range.hpp"
 #include "scene/transform.hpp"
 #include "scene/validate.hpp"
+#include "scene/voxels.hpp"
 
 namespace cdsm::scene {
 namespace {
@@ -27,14 +28,29 @@ std::uint64_t voxelCount(const glm::uvec3& size) {
   return size.z != 0 && plane > (UINT64_MAX >> 3) / size.z ? 0 : plane * size.z;
 }
 
-/// An index of a float voxel that is NaN or infinite, or `count`.
-std::size_t findNonFinite(const std::vector<std::byte>& voxels, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    float value;
-    std::memcpy(&value, voxels.data() + i * sizeof value, sizeof value);
-    if (!std::isfinite(value)) return i;
+/// Number of a float voxel that is NaN or infinite, or of voxels.
+std::size_t findNonFinite(const VolumeData& data) {
+  const HostVoxels voxels = hostVoxels(data);
+  std::size_t number = 0;
+  for (std::size_t z = 0; z < data.size.z; ++z)
+    for (std::size_t y = 0; y < data.size.y; ++y)
+      for (std::size_t x = 0; x < data.size.x; ++x, ++number) {
+        float value;
+        std::memcpy(&value, voxels.at(x, y, z), sizeof value);
+        if (!std::isfinite(value)) return number;
+      }
+  return number;
+}
+
+/// That voxels are given in one way, and as many as the size says.
+void requireVoxels(const VolumeData& data, std::uint64_t bytes, const std::string& sides, const std::string& what) {
+  const int places = !data.voxels.empty() + (data.view.data != nullptr) + (data.view.deviceBuffer != nullptr);
+  if (places > 1) throw Error(what + " has voxels and a view, or two views of them, must have one");
+  if (data.view.data || data.view.deviceBuffer) return;
+  if (data.voxels.size() != bytes) {
+    throw Error(what + " has " + std::to_string(data.voxels.size()) + " bytes for " + sides + " voxels, must be " +
+                std::to_string(bytes));
   }
-  return count;
 }
 
 template <typename Point>
@@ -75,15 +91,12 @@ void validateVolumeData(const VolumeData& data, const std::string& what) {
       std::to_string(data.size.x) + " x " + std::to_string(data.size.y) + " x " + std::to_string(data.size.z);
   if (count == 0) throw Error(what + " has " + sides + " voxels, must be at least one along each axis and fit memory");
   const std::uint64_t bytes = count * voxelBytes(data.type);
-  if (data.voxels.size() != bytes) {
-    throw Error(what + " has " + std::to_string(data.voxels.size()) + " bytes for " + sides + " voxels, must be " +
-                std::to_string(bytes));
-  }
+  requireVoxels(data, bytes, sides, what);
   if (!isInvertibleAffine(data.objectFromIndex)) {
     throw Error(what + ": the grid's axes span no space, must be finite and independent");
   }
-  if (data.type != VoxelType::Float32) return;
-  const std::size_t bad = findNonFinite(data.voxels, count);
+  if (data.type != VoxelType::Float32 || data.view.deviceBuffer) return;
+  const std::size_t bad = findNonFinite(data);
   if (bad < count) throw Error(what + ": voxel " + std::to_string(bad) + " is not finite, must be a number");
 }
 
