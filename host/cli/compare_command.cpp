@@ -79,7 +79,7 @@ void measure(Bench& bench, VariantResult& result) {
   bench.stats.push_back(stats);
   result.warnings = stats.warnings;
   result.maps = mapCount(stats);
-  result.bytes = stats.memory.bytesReserved;
+  result.bytes = stats.memory.bytesReserved + (stats.cache ? stats.cache->bytes : 0);
   if (bench.reference.pixels.empty()) bench.reference = image;
   result.difference = io::differenceOf(image, bench.reference);
   writePictures(bench, image, result.variant);

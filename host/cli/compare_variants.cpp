@@ -6,6 +6,7 @@ namespace {
 
 constexpr auto kTechnique = &ShadowSettings::technique;
 constexpr auto kRays = &ShadowSettings::rays;
+constexpr auto kCache = &ShadowSettings::cache;
 
 }  // namespace
 
@@ -14,15 +15,23 @@ const std::vector<ShadowVariant>& shadowVariants() {
   static const std::vector<ShadowVariant> variants{
       {"shadow-rays",
        "a ray to the light for each sample, exact up to its steps",
-       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "exact"}}},
-      {"none", "all is lit", {{"technique", kTechnique, "none"}}},
+       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "exact"}, {"cache", kCache, "none"}}},
+      {"none", "all is lit", {{"technique", kTechnique, "none"}, {"cache", kCache, "none"}}},
       {"shadow-rays-opaque",
        "the first sample above the threshold stops all light",
-       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "opaque"}}},
-      {"shadow-map", "the depth of the first opaque hit in each texel", {{"technique", kTechnique, "shadow-map"}}},
+       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "opaque"}, {"cache", kCache, "none"}}},
+      {"shadow-map",
+       "the depth of the first opaque hit in each texel",
+       {{"technique", kTechnique, "shadow-map"}, {"cache", kCache, "none"}}},
+      {"stochastic",
+       "depths at which photons were stopped by chance",
+       {{"technique", kTechnique, "stochastic"}, {"cache", kCache, "none"}}},
       {"deep-shadow-map",
        "the light that is left at each depth, compressed",
-       {{"technique", kTechnique, "deep-shadow-map"}}},
+       {{"technique", kTechnique, "deep-shadow-map"}, {"cache", kCache, "none"}}},
+      {"deep-shadow-map-cached",
+       "the same, kept at every voxel of the volumes",
+       {{"technique", kTechnique, "deep-shadow-map"}, {"cache", kCache, "volume"}}},
   };
   return variants;
 }

@@ -25,7 +25,7 @@ struct VariantResult {
   double frameMs = 0.0;  ///< median, with maps that are there
   int frames = 0;        ///< timed
   std::size_t maps = 0;
-  std::uint64_t bytes = 0;  ///< of finished maps
+  std::uint64_t bytes = 0;  ///< of finished maps and of the cache
   std::vector<std::string> warnings;
 };
 
