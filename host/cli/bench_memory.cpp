@@ -197,7 +197,7 @@ std::vector<Table> tablesOf(const BenchOptions& options, const std::string& name
   }
   std::vector<Table> tables = {goalsTable(name + ": what the project wants to reach", sizes.size())};
   for (const int size : sizes) {
-    const Scene sized = withMaps(options, scene, size, scene.shadows.clusters, "exact");
+    const Scene sized = withMaps(options, scene, size, 1, "exact");
     std::vector<std::string> notes;
     std::vector<Entry> entries = entriesOf(options, sized, notes);
     if (size <= kLargestTruth) {

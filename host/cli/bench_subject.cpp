@@ -34,6 +34,8 @@ Scene prepared(const BenchOptions& options, Scene scene) {
   scene.shadows.memory = "chunked";
   scene.shadows.filter = "bilinear";
   scene.shadows.tolerance = 0.01f;
+  scene.shadows.nodeFormat = "float32";
+  scene.shadows.cache = "none";
   return scene;
 }
 

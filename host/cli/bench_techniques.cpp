@@ -80,7 +80,8 @@ std::vector<Table> benchTechniques(const BenchOptions& options) {
       names,
       {paperRow("light moved, Table 1", 0, &Way::lightMoves), paperRow("camera moved, Table 1", 0, &Way::cameraMoves),
        paperRow("light moved, Table 2", 1, &Way::lightMoves), paperRow("camera moved, Table 2", 1, &Way::cameraMoves)},
-      {}};
+      {},
+      "paper"};
   Table goal{
       "cached", "What the project wants to reach", "technique", {}, {plainRow("frame, cached / frame without shadows")},
       {}};

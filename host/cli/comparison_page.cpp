@@ -160,9 +160,9 @@ std::string howToRead() {
       {"perceived",
        "the difference as the eye takes it, by Butteraugli’s model, 3-norm over the pixels; 1: just noticeable"},
       {"bias", "mean difference of luminances: below 0 the picture is too dark"},
-      {"build", "all maps of all lights, after the lights have changed; – where nothing is built"},
+      {"build", "all maps of all lights and the cache, after the lights have changed; – where nothing is built"},
       {"frame", "a frame whose maps are there already, median, by the clock on the wall"},
-      {"maps", "memory of the finished maps on the device"}};
+      {"maps", "memory of the finished maps and of the cache on the device"}};
   std::string list;
   for (const auto& [term, meaning] : terms) list += element("dt", term) + element("dd", meaning) + "\n";
   return element("section", element("h2", "How to read this") + element("dl", "\n" + list)) + "\n";

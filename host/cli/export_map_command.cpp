@@ -21,7 +21,7 @@ void writeMaps(const SceneRun& run, const ExportMapOptions& options, const std::
   const device::HostStep step = run.step("write maps");
   for (const Light& light : run.scene().lights) {
     if (light.name != options.light) continue;
-    io::writeLightMaps(options.file, light, run.scene().shadows, maps,
+    io::writeLightMaps(options.file, light, maps,
                        options.tiled ? io::MapFileLayout::Tiles : io::MapFileLayout::Scanlines);
   }
 }

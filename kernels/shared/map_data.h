@@ -26,7 +26,7 @@ CDSM_SIZE(LightData, 80);
 #define CDSM_LIGHT_OMNI 1u
 #define CDSM_LIGHT_DIRECTIONAL 2u
 
-/// One deep shadow map: where a point lands in it and where its texels' nodes are kept.
+/// One map: where a point lands in it and where its texels' nodes are kept.
 typedef struct MapData {
   float4 texelU, texelV, texelW, depth;  ///< as ViewData's rows
   float4 origin, originU, originV;       ///< rays per texel, as ViewData's
@@ -80,7 +80,7 @@ CDSM_SIZE(BuildCounters, 32);
 /// Words per tile of the strategy "exact": while building, and of the finished table with 16-bit entries.
 #define CDSM_EXACT_WORDS 65
 #define CDSM_EXACT_NARROW_WORDS 34
-/// On image devices: pixels (of two nodes) in a row of the texture of nodes, as a power of two.
+/// On image devices: pixels of 16 bytes in a row of the texture of nodes, as a power of two.
 #define CDSM_NODE_TEXTURE_BITS 12
 
 CDSM_SHARED_END

@@ -118,6 +118,8 @@ TEST_P(Cached, isFilledWhenLightChangesAndForNothingElse) {
   EXPECT_TRUE(filled([](Scene& s) { s.meshes[0].worldFromObject = movedTo({0.1f, 0.0f, 0.0f}); }));
   EXPECT_TRUE(filled([](Scene& s) { s.meshes[0].shadow.casts = false; }));
   EXPECT_TRUE(filled([](Scene& s) { s.shadows.filter = "nearest"; }));
+  EXPECT_TRUE(filled([](Scene& s) { s.volumes[0].transfer.shadowOpacity = {{0.0f, 0.2f}}; }));
+  EXPECT_TRUE(filled([](Scene& s) { s.volumes[0].transfer.opacity[0].opacity = 0.1f; }));  // seen elsewhere now
   EXPECT_TRUE(filled([](Scene& s) { s.lights.push_back(s.lights[0]), s.lights[1].name = "other"; }));
 }
 

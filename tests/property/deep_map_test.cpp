@@ -42,7 +42,7 @@ Scene sceneOf(const ExportCase& exported, const Path& path) {
 std::vector<LightMap> exportTo(const std::string& path, const Scene& scene, const std::string& fetch,
                                io::MapFileLayout layout) {
   std::vector<LightMap> maps = engineOf(fetch).lightMaps(scene, "exported");
-  io::writeLightMaps(path, scene.lights.back(), scene.shadows, maps, layout);
+  io::writeLightMaps(path, scene.lights.back(), maps, layout);
   return maps;
 }
 
@@ -159,7 +159,7 @@ TEST(LightMaps, areWrittenWholeOrNotAtAll) {
   const std::vector<LightMap> maps = engineOf("buffer").lightMaps(scene, "exported");
   const test::TemporaryFolder folder;
   const auto write = [&](const std::string& name, const std::vector<LightMap>& some) {
-    io::writeLightMaps(folder.path(name), light, scene.shadows, some, io::MapFileLayout::Scanlines);
+    io::writeLightMaps(folder.path(name), light, some, io::MapFileLayout::Scanlines);
   };
   EXPECT_THROW(write("map.png", maps), Error);
   EXPECT_THROW(write("map.exr", {}), Error);

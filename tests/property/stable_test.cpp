@@ -101,6 +101,23 @@ TEST(Stable, MapsStayOnceTheCameraDoes) {
 }
 
 /// The picture of a first frame does not depend on `stable` but for what pictures may leave out.
+/// Queries do not count as frames, but clusters of objects that are gone serve none.
+TEST(Stable, QueriesSeeTheObjectsThatThereAre) {
+  Engine engine{EngineOptions{}};
+  Scene scene = atFrame(0, true);
+  engine.render(scene);
+  for (const bool fewer : {true, false}) {
+    if (fewer)
+      scene.meshes.erase(scene.meshes.begin(), scene.meshes.begin() + 2);
+    else
+      scene.meshes.insert(scene.meshes.end(), {rowScene().meshes[0], rowScene().meshes[1]});
+    Scene fresh = scene;
+    fresh.shadows.stable = false;
+    const auto kept = engine.transmittance(scene, "key", floorPoints());
+    EXPECT_LE(rmsError(kept, Engine(EngineOptions{}).transmittance(fresh, "key", floorPoints())), 0.05) << fewer;
+  }
+}
+
 TEST(Stable, FirstFramesAreAsWithoutIt) {
   const std::vector<glm::vec3> points = floorPoints();
   Engine one, other;

@@ -315,7 +315,6 @@ TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
       {"[shadows]\ntechnique = 'implicit-sphere'\n",
        "scene.toml:2:13: technique 'implicit-sphere' is not supported yet"},
       {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
-      {"[shadows]\ncache = 'volume'\n", "scene.toml:2:9: cache 'volume' is not supported yet"},
       {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},
       {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles every kernel file in every variant with clang, as OpenCL C 1.2: kernels.py, in the repository root.
+"""Compiles every kernel file in its variants with clang, as OpenCL C 1.2: kernels.py, in the repository root.
 
 Joins includes as host/src/device/kernel_source.cpp does and generates the volume slots as
 host/src/build/volume_slots.cpp does. A file is compiled for each value of what its text mentions: technique, memory
-strategy, format of nodes, voxel type, batch size, buffers or images, volumes of a scene. Prints the warnings; exit status 1 if any."""
+strategy, format of nodes, voxel type, batch size, buffers or images, volumes of a scene; of all their combinations,
+enough for each two values to meet. Prints the warnings; exit status 1 if any."""
 import concurrent.futures
 import itertools
 import os
@@ -19,7 +20,7 @@ CLANG = ["clang", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-finclude-default-hea
          "-Wno-unused-function", "-fno-caret-diagnostics", "-"]
 SLOTS_FILE = "generated/volume_slots.clh"
 SLOTS = [(), ("uchar",), ("uchar", "short", "float")]
-IMAGE_SCALES = {"uchar": "255.0f", "short": "32767.0f", "float": "1.0f"}
+IMAGE_SCALES = {"uchar": "255.0f", "short": "65535.0f", "float": "1.0f"}
 # Macro of the generated file, function that reads buffers (with the voxel type as suffix), images, value without volumes.
 FETCHES = [
     ("CDSM_VOLUME_VALUES", "value", "imageValue", "0.0f"),
@@ -108,6 +109,17 @@ def variants(entry, chosen=None):
         yield from variants(entry, {**chosen, **dict(zip(names, values))})
 
 
+def pairwise(candidates):
+    """As many of the variants as it takes for each two values that meet in one of them to meet in one that is left."""
+    met, left = set(), []
+    for variant in candidates:
+        pairs = set(itertools.combinations(sorted(map(repr, variant.items())), 2)) or {repr(variant)}
+        if not pairs <= met:
+            met |= pairs
+            left.append(variant)
+    return left
+
+
 def check(entry, variant):
     """Lines of what clang says of one variant."""
     defines = "".join(f"#define {name} {value}\n" for name, value in variant.items()
@@ -120,7 +132,7 @@ def check(entry, variant):
 
 def main():
     entries = [str(path.relative_to(KERNELS)) for path in sorted(KERNELS.rglob("*.cl"))]
-    jobs = [(entry, variant) for entry in entries for variant in variants(entry)]
+    jobs = [(entry, variant) for entry in entries for variant in pairwise(variants(entry))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda job: check(*job), jobs))
     where = {}  # what clang says: the jobs of which it says so

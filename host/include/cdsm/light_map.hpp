@@ -29,6 +29,7 @@ struct LightMap {
   int height = 0;
   float nearDepth = 0.0f;  ///< nothing in front of it attenuates
   float farDepth = 0.0f;   ///< of what casts in it
+  float tolerance = 0.0f;  ///< that it was built at: larger than asked for if it was coarsened
   /// Homogeneous: x / w in [0, 1] from left to right, y / w from top to bottom, z / w from nearDepth to farDepth.
   glm::mat4 pictureFromWorld{1.0f};
   /// Left-handed: x to the right, y upwards, z is the depth. The origin is the light, or the middle of its image plane.

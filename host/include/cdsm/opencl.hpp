@@ -67,8 +67,9 @@ class CDSM_API Lookup {
   Lookup(Lookup&&) noexcept;
   Lookup& operator=(Lookup&&) noexcept;
 
-  /// OpenCL C that comes in front of the text of the kernels. It changes with the technique, the memory strategy and
-  /// the types of the volumes alone: a program that was made with it can be used as long as it is the same.
+  /// OpenCL C that comes in front of the text of the kernels. It changes with the technique, the memory strategy, the
+  /// format of nodes, the cache, the types of the volumes and whether there are spheres, with nothing else: a program
+  /// that was made with it can be used as long as it is the same.
   const std::string& source() const;
   /// To compile it with: else results may differ in the last bits.
   const std::string& buildOptions() const;

@@ -227,7 +227,7 @@ void DeviceScene::upload() {
   extinctions_.follow(device_, extinctionLut_, "extinction tables");
   lightExtinctions_.follow(device_, lightLut_, "extinction tables of light");
   colors_.follow(device_, colorLut_, "colour tables");
-  if (casting_.size() > kMostCastingSets) casting_.clear();
+  if (casting_.size() > kMostCastingSets || hostObjects_.empty()) casting_.clear();
   float extinction = 0.0f;
   for (const Mesh& mesh : scene_.meshes) extinction = std::max(extinction, mesh.interiorExtinction);
   all_ = makeSet(std::move(all_), hostObjects_, mediumLists_,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/volume_slots.hpp"
 
+#include <algorithm>
+
 #include "device/program.hpp"
 #include "scene/voxels.hpp"
 #include "shared/scene_data.h"
@@ -49,6 +51,14 @@ device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data
 }
 
 shared::int4 int4Of(const glm::uvec3& v) { return {int(v.x), int(v.y), int(v.z), 0}; }
+
+/// The latest revision of some data among all volumes that show them.
+std::uint64_t latestRevision(const std::vector<Volume>& volumes, const VolumeData* data) {
+  std::uint64_t latest = 0;
+  for (const Volume& volume : volumes)
+    if (volume.data.get() == data) latest = std::max(latest, volume.revision);
+  return latest;
+}
 
 }  // namespace
 
@@ -121,7 +131,6 @@ std::shared_ptr<VoxelSlot> VolumeSlots::makeSlot(const Volume& volume) {
                       " voxels, more than 2^31 - 1; cut it into several volumes");
   auto slot = std::make_shared<VoxelSlot>();
   slot->data = volume.data;
-  slot->revision = volume.revision;
   slot->voxels = makeVoxels(*volume.data);
   requireFinite(volume, slot->voxels);
   findCellBounds(*slot);
@@ -139,7 +148,8 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
   for (const Volume& volume : volumes) {
     if (!numbers.emplace(volume.data.get(), int(slots.size())).second) continue;
     const auto known = numbers_.find(volume.data.get());
-    const bool same = known != numbers_.end() && slots_[known->second]->revision == volume.revision;
+    const bool same =
+        known != numbers_.end() && slots_[known->second]->revision == latestRevision(volumes, volume.data.get());
     slots.push_back(same ? slots_[known->second] : nullptr);
   }
   // forget what is no longer used before anything new needs the room
@@ -148,7 +158,9 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
   try {
     for (const Volume& volume : volumes) {
       auto& slot = slots_[numbers_.at(volume.data.get())];
-      if (!slot) slot = makeSlot(volume);
+      if (slot) continue;
+      slot = makeSlot(volume);
+      slot->revision = latestRevision(volumes, volume.data.get());
     }
   } catch (...) {
     slots_.clear();

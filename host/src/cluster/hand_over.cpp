@@ -12,9 +12,10 @@ constexpr double kWorse = 1.25;
 
 }  // namespace
 
+bool HandOver::fits(const LightPlan& plan) const { return begun_ && !std::isinf(errorOf(plan, current_)); }
+
 void HandOver::next(const LightPlan& plan) {
-  const double error = errorOf(plan, current_);
-  if (!begun_ || std::isinf(error)) {  // objects came or went: nothing to keep
+  if (!fits(plan)) {  // objects came or went: nothing to keep
     begun_ = true;
     current_ = plan.clusters;
     former_.clear();
@@ -25,7 +26,7 @@ void HandOver::next(const LightPlan& plan) {
     former_.clear();
     return;
   }
-  if (error <= kWorse * errorOf(plan, plan.clusters)) return;
+  if (errorOf(plan, current_) <= kWorse * errorOf(plan, plan.clusters)) return;
   former_ = std::move(current_);
   current_ = plan.clusters;
   frame_ = 1;

@@ -16,6 +16,9 @@ class HandOver {
   /// One more frame, for which `plan` would be best. Clusters stay while they are not much worse than that.
   void next(const LightPlan& plan);
 
+  /// Whether its clusters are of the objects of the plan.
+  bool fits(const LightPlan& plan) const;
+
   const LightClusters& current() const { return current_; }
   const LightClusters& former() const { return former_; }  ///< empty unless they are fading out
   /// Of the current set in the transmittance; the rest is the former set's.

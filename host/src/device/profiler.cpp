@@ -10,7 +10,7 @@
 namespace cdsm::device {
 namespace {
 
-constexpr std::size_t kPendingBeforeFolding = 256;  // bounds the events kept alive in a long session
+constexpr std::size_t kPendingBeforeFolding = 256;  // bounds the events kept alive in a long run
 constexpr std::string_view kUpload = "upload ";     // how names of transfers from the host begin
 constexpr double kMillisecondsPerNanosecond = 1e-6;
 
@@ -102,7 +102,7 @@ void Profiler::foldFront() {
     if (!ignoresTimes_) sum.milliseconds += duration(front.event);
     ++sum.launches;
     sum.bytes += front.command.size.bytes;
-    if (sink_) trace_.add(front.command, front.event);
+    if (sink_ && !ignoresTimes_) trace_.add(front.command, front.event);
   });
 }
 

@@ -87,6 +87,7 @@ std::vector<LightMap> FrameState::lightMaps(const Scene& scene, std::size_t ligh
 }
 
 void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
+  prepared_ = true;
   const std::optional<Scene> before = std::exchange(current_, std::nullopt);
   purpose_ = purpose;
   const bool objects = before && scene::sameObjects(*before, scene);
@@ -140,6 +141,7 @@ void FrameState::uploadLights(const Scene& scene) {
 void FrameState::beginStats() {
   begun_ = std::chrono::steady_clock::now();
   stats_ = {};
+  prepared_ = false;
   device_->profiler().reset();
   device_->profiler().beginGroup("upload");
 }
@@ -153,8 +155,6 @@ void FrameState::finishStats(const Scene& scene) {
   stats_.uploadedBytes = profiler.uploadedBytes();
   profiler.flushTrace();
   addMapStats(scene);
-  if (options_.warning)
-    for (const std::string& warning : stats_.warnings) options_.warning(warning);
 }
 
 void FrameState::addMapStats(const Scene& scene) {
@@ -163,7 +163,22 @@ void FrameState::addMapStats(const Scene& scene) {
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.cache = cache_.stats();
+  if (!prepared_) forgetBuilding();
+  if (options_.warning)
+    for (const std::string& warning : stats_.warnings) options_.warning(warning);
   stats_.totalMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
+}
+
+/// What technique and cache tell of the last call that prepared them.
+void FrameState::forgetBuilding() {
+  stats_.clusterMs = 0.0;
+  if (stats_.cache) stats_.cache->filled = false;
+  for (LightStats& light : stats_.lights) {
+    for (MapStats& map : light.maps) {
+      map.regenerated = false;
+      map.reason.clear();
+    }
+  }
 }
 
 void FrameState::report(const std::string& what) { stats_.reports.push_back(what); }

@@ -59,7 +59,7 @@ class FrameState {
   void query(const Scene& scene, std::size_t light, const glm::vec3* points, std::size_t count, float* values);
   /// On the device. `done`: gets an event for the end; null: waits for it.
   void query(std::size_t light, const render::DevicePoints& points, const device::Buffer<float>& values,
-             cl_event* done);
+             const std::vector<cl_event>& after, cl_event* done);
   Lookup lookup();
   /// Forgets the scene and frees what was made for it.
   void drop();
@@ -93,6 +93,7 @@ class FrameState {
   void beginStats();
   void finishStats(const Scene& scene);
   /// What the statistics say of maps and memory.
+  void forgetBuilding();
   void addMapStats(const Scene& scene);
   void report(const std::string& what);
   void progress(const char* step, float done) const;
@@ -112,6 +113,7 @@ class FrameState {
   std::optional<Scene> current_;                        ///< what all of it was made for; empty after an error
   cluster::Purpose purpose_ = cluster::Purpose::Image;  ///< that its maps serve
   FrameStats stats_;
+  bool prepared_ = false;  ///< in this call
   std::chrono::steady_clock::time_point begun_;
 };
 

@@ -60,8 +60,7 @@ void transmittance(Engine& engine, const std::string& light, const Points& point
   const std::size_t number = engine::lightNumber(engine::lightNames(frame.readyScene()), light);
   const Floats coordinates = adoptFloats(device, points.buffer, coordinatesOf(points), "points");
   const Floats results = adoptFloats(device, values, points.count, "transmittances");
-  device.waitFor(order.after);
-  frame.query(number, {coordinates, points.count, points.stride}, results, order.done);
+  frame.query(number, {coordinates, points.count, points.stride}, results, order.after, order.done);
 }
 
 void render(Engine& engine, const Scene& scene, cl_mem target) {

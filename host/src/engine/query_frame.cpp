@@ -58,10 +58,11 @@ void FrameState::answer(std::size_t light, const glm::vec3* points, std::size_t 
 }
 
 void FrameState::query(std::size_t light, const render::DevicePoints& points, const device::Buffer<float>& values,
-                       cl_event* done) {
+                       const std::vector<cl_event>& after, cl_event* done) {
   const device::HostStep traced = step("answer query on the device");
   beginStats();
   readyForPoints();
+  device_->waitFor(after);  // behind what is still to be built, which may wait for transfers
   device_->profiler().beginGroup("render");
   query_.run(queryScene(), light, points, values);
   if (!done) return finishStats(*current_);

@@ -47,7 +47,7 @@ std::vector<Sample> samplesOf(const MapNode* nodes, std::size_t count) {
   return samples;
 }
 
-OIIO::ImageSpec specOf(const Light& light, const ShadowSettings& settings, const LightMap& map, MapFileLayout layout) {
+OIIO::ImageSpec specOf(const Light& light, const LightMap& map, MapFileLayout layout) {
   OIIO::ImageSpec spec(map.width, map.height, 3, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"A", "Z", "ZBack"};
   spec.alpha_channel = kAlpha;
@@ -71,7 +71,7 @@ OIIO::ImageSpec specOf(const Light& light, const ShadowSettings& settings, const
     spec.attribute("cdsm:objects", OIIO::TypeDesc(OIIO::TypeDesc::STRING, int(objects.size())), objects.data());
   spec.attribute("cdsm:near", map.nearDepth);
   spec.attribute("cdsm:far", map.farDepth);
-  spec.attribute("cdsm:tolerance", settings.tolerance);
+  spec.attribute("cdsm:tolerance", map.tolerance);
   spec.attribute("cdsm:interpolation", kInterpolation);
   return spec;
 }
@@ -111,13 +111,13 @@ void writeTo(const std::string& file, const std::string& path, const std::vector
 
 }  // namespace
 
-void writeLightMaps(const std::string& path, const Light& light, const ShadowSettings& settings,
-                    const std::vector<LightMap>& maps, MapFileLayout layout) {
+void writeLightMaps(const std::string& path, const Light& light, const std::vector<LightMap>& maps,
+                    MapFileLayout layout) {
   checkMapPath(path);
   if (maps.empty())
     throw Error("light '" + light.name + "' has no maps to write: nothing that casts a shadow is in its reach");
   std::vector<OIIO::ImageSpec> specs;
-  for (const LightMap& map : maps) specs.push_back(specOf(light, settings, map, layout));
+  for (const LightMap& map : maps) specs.push_back(specOf(light, map, layout));
   AtomicFile file(path);
   writeTo(file.temporaryPath(), path, specs, maps);
   file.commit();

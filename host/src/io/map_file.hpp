@@ -12,10 +12,9 @@ namespace cdsm::io {
 
 enum class MapFileLayout { Scanlines, Tiles };
 
-/// Writes channels A, Z and ZBack. `settings`: those that the maps were made with. An earlier file stays if it fails.
-/// Throws Error, also if there are no maps.
-void writeLightMaps(const std::string& path, const Light& light, const ShadowSettings& settings,
-                    const std::vector<LightMap>& maps, MapFileLayout layout);
+/// Writes channels A, Z and ZBack. An earlier file stays if it fails. Throws Error, also if there are no maps.
+void writeLightMaps(const std::string& path, const Light& light, const std::vector<LightMap>& maps,
+                    MapFileLayout layout);
 
 /// Throws what writeLightMaps() would throw for this path, before there are maps.
 void checkMapPath(const std::string& path);

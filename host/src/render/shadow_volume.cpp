@@ -23,7 +23,8 @@ void ShadowVolume::prepare(const Scene& scene, const build::DeviceScene& deviceS
     voxels_ = {};
     return;
   }
-  if (!before || !scene::sameTransmittance(*before, scene)) {
+  // it is filled where something is to be seen, which transfer functions for shadows alone do not tell
+  if (!before || !scene::sameTransmittance(*before, scene) || !scene::sameVisibility(*before, scene)) {
     fill(deviceScene, scene.lights.size(), lights, technique, technique.params(scene), progress);
     fresh_ = true;
   }

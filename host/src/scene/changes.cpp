@@ -136,4 +136,9 @@ bool sameTransmittance(const Scene& a, const Scene& b) {
   return true;
 }
 
+bool sameVisibility(const Scene& a, const Scene& b) {
+  return std::equal(a.volumes.begin(), a.volumes.end(), b.volumes.begin(), b.volumes.end(),
+                    [](const Volume& v, const Volume& w) { return sameLists(v.transfer.opacity, w.transfer.opacity); });
+}
+
 }  // namespace cdsm::scene

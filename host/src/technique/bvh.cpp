@@ -29,11 +29,6 @@ Bounds boundsOf(const shared::BvhPrimitive& t) {
   return bounds;
 }
 
-void merge(Bounds& bounds, const Bounds& other) {
-  bounds.add(other.low);
-  bounds.add(other.high);
-}
-
 float area(const Bounds& bounds) {
   const glm::vec3 d = glm::max(bounds.high - bounds.low, 0.0f);
   return d.x * d.y + d.y * d.z + d.z * d.x;
@@ -62,7 +57,7 @@ class Builder {
   void build(std::size_t first, std::size_t last, int depth) {
     Bounds bounds, centers;
     for (std::size_t i = first; i < last; ++i) {
-      merge(bounds, bounds_[order_[i]]);
+      bounds.add(bounds_[order_[i]]);
       centers.add(centers_[order_[i]]);
     }
     const std::size_t number = nodes_.size();
@@ -102,14 +97,14 @@ class Builder {
     std::array<std::size_t, kBins> counts{};
     for (std::size_t i = first; i < last; ++i) {
       const int bin = binOf(order_[i], low, size, axis);
-      merge(boxes[bin], bounds_[order_[i]]);
+      boxes[bin].add(bounds_[order_[i]]);
       ++counts[bin];
     }
     std::array<float, kBins> right{};
     Bounds side;
     std::size_t count = 0;
     for (int i = kBins - 1; i > 0; --i) {
-      if (counts[i] > 0) merge(side, boxes[i]);
+      if (counts[i] > 0) side.add(boxes[i]);
       count += counts[i];
       right[i - 1] = count > 0 ? area(side) * float(count) : 0.0f;
     }
@@ -118,7 +113,7 @@ class Builder {
     int best = 0;
     float least = INFINITY;
     for (int i = 0; i + 1 < kBins; ++i) {
-      if (counts[i] > 0) merge(side, boxes[i]);
+      if (counts[i] > 0) side.add(boxes[i]);
       count += counts[i];
       const float cost = (count > 0 ? area(side) * float(count) : 0.0f) + right[i];
       if (cost < least) best = i;

@@ -88,6 +88,7 @@ std::vector<LightMap> DeepShadowMap::lightMaps(const Scene& scene, std::size_t l
     if (cluster.light != light) continue;
     for (std::size_t view = 0; view < cluster.views.size(); ++view) {
       maps.push_back(describeMap(scene, cluster, view));
+      maps.back().tolerance = builtTolerance_;
       if (ofLight.formerCount > 0) maps.back().share = cluster.former ? 1.0f - ofLight.share : ofLight.share;
     }
   }

@@ -33,7 +33,7 @@ cluster::LightClusters MapTechnique::handedOver(const Preparation& to, std::size
                                                 cluster::LightClusters& former, float& share) {
   if (!to.scene.shadows.stable) return std::move(plan.clusters);
   cluster::HandOver& handOver = handOvers_[light];
-  if (to.purpose == cluster::Purpose::Image || handOver.current().empty()) handOver.next(plan);
+  if (to.purpose == cluster::Purpose::Image || !handOver.fits(plan)) handOver.next(plan);
   former = handOver.former();
   share = handOver.share();
   return handOver.current();

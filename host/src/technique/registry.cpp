@@ -61,9 +61,8 @@ const std::vector<Entry<ShadowTechnique>>& techniques() {
       {"shadow-map", [](auto&, auto& device) { return std::make_unique<ShadowMap>(device); }},
       {"deep-shadow-map",
        [](auto& settings, auto& device) {
-         const auto& memory = find(memories(), settings.memory, "memory strategy");
-         return std::make_unique<DeepShadowMap>(device,
-                                                [&memory, settings, &device] { return memory.make(settings, device); });
+         const auto make = find(memories(), settings.memory, "memory strategy").make;
+         return std::make_unique<DeepShadowMap>(device, [make, settings, &device] { return make(settings, device); });
        }},
       {"stochastic", [](auto&, auto& device) { return std::make_unique<Stochastic>(device); }},
   };
