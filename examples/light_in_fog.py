@@ -18,7 +18,7 @@ def ball(radius):
 
 def make_scene(voxels):
     fog = cdsm.Volume(name="fog", voxels=voxels)  # (z, y, x), stays ours: read in place
-    fog.object_from_index = np.array([[1 / 16, 0, 0, -0.97], [0, 1 / 16, 0, -0.97], [0, 0, 1 / 16, -0.97], [0, 0, 0, 1]])
+    fog.object_from_index = np.array([[0.06, 0, 0, -0.93], [0, 0.06, 0, -0.93], [0, 0, 0.06, -0.93], [0, 0, 0, 1]])
     fog.transfer = cdsm.TransferFunction(opacity=[(0, 0), (1, 0.8)], color=[(0, 1.0, 0.9, 0.8)], unit_distance=0.5)
     floor = cdsm.Mesh(name="floor", material=cdsm.Material(diffuse=(0.7, 0.7, 0.7)))
     floor.positions = np.array([[-3, -1.2, -3], [-3, -1.2, 3], [3, -1.2, 3], [3, -1.2, -3]], np.float32)

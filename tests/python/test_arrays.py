@@ -162,7 +162,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual(seen[0, 0], -9)
         self.refused("positions are float64", cdsm.Mesh, positions=np.zeros((3, 3)))
         self.refused("triangles are int64, must be uint32", cdsm.Mesh, triangles=np.zeros((1, 3), int))
-        self.refused("radii are of shape (2, 1), must be of shape (n,)", cdsm.Spheres, radii=np.ones((2, 1), np.float32))
+        self.refused("radii are of shape (2, 1), must be of shape (n,)", cdsm.Spheres,
+                     radii=np.ones((2, 1), np.float32))
 
     def test_light_maps_outlive_the_engine(self):
         engine = cdsm.Engine()

@@ -113,14 +113,15 @@ class Scenes(unittest.TestCase):
                  (lambda: cdsm.Volume(world_from_object=np.eye(3)), "must be a matrix of 4 x 4"),
                  (lambda: cdsm.TransferFunction(opacity=["x"]), "no rows of numbers"),
                  (lambda: cdsm.Scene(lights=5), "Scene.lights must be a list"),
-                 (lambda: cdsm.validate(cdsm.Scene(lights=[cdsm.Mesh()])), r"Scene.lights\[0\] is .*, must be a cdsm.Light"),
+                 (lambda: cdsm.validate(cdsm.Scene(lights=[cdsm.Mesh()])),
+                  r"Scene.lights\[0\] is .*, must be a cdsm.Light"),
                  (lambda: cdsm.validate(cdsm.Scene(meshes=[None])), r"Scene.meshes\[0\] is None")]
         for make, message in wrong:
             with self.assertRaisesRegex(TypeError, message):
                 make()
         with self.assertRaisesRegex(cdsm.Error, "Light.type is 'lamp', must be 'spot'"):
             cdsm.Light(type="lamp")
-        with self.assertRaisesRegex(cdsm.Error, r"TransferFunction.color is of shape \(1, 2\), must be of shape \(n, 4\)"):
+        with self.assertRaisesRegex(cdsm.Error, r"color is of shape \(1, 2\), must be of shape \(n, 4\)"):
             cdsm.TransferFunction(color=[(0, 1)])
 
     def test_the_stubs_name_everything(self):
