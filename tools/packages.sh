@@ -41,6 +41,9 @@ openimageio-tools       flattens the deep EXR files that are written
 openexr                 looks at them, too
 doxygen                 reads the public headers
 pkg-config              builds a program that uses the installed library
+pybind11-dev            builds the Python module
+python3-dev             Python's headers, for it
+python3-numpy           its arrays
 mesa-opencl-icd         a second OpenCL implementation, one that reads images
 LIST
 }

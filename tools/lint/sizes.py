@@ -9,6 +9,7 @@ import re
 PARTS = {
     "host": ["host/**/*.cpp", "host/**/*.hpp"],
     "kernels": ["kernels/**/*.cl", "kernels/**/*.clh", "kernels/**/*.h"],
+    "python": ["python/*.cpp", "python/*.hpp"],
     "tests": ["tests/**/*.cpp", "tests/**/*.hpp"],
 }
 # Comments, strings, characters and preprocessor lines (continued ones whole), any of which may hold braces.

@@ -8,8 +8,8 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["host", "kernels", "tests", "examples", "tools", ".ci"]
-SUFFIXES = {".cpp", ".hpp", ".h", ".cl", ".clh", ".py", ".sh", ".cmake"}
+FOLDERS = ["host", "kernels", "python", "tests", "examples", "tools", ".ci"]
+SUFFIXES = {".cpp", ".hpp", ".h", ".cl", ".clh", ".py", ".pyi", ".sh", ".cmake"}
 NAMES = {"CMakeLists.txt", "run"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 LEFTOVERS = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX|HA" r"CK)\b|^\s*#\s*if\s+0\b")
