@@ -190,8 +190,9 @@ TEST(ImplicitSphereImage, isThatOfShadowRays) {
     scene.image.height = 60;
     reference::addMesh(scene, reference::quadMesh({0.0f, -1.2f, 0.0f}, {3.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 3.0f}),
                        reference::addMaterial(scene, glm::vec3(0.8f), 1.0f));
-    const Image image = engineOf("buffer").render(along(kPath, scene, 1024, 0.01f));
     const Image exact = engineOf("buffer").render(along(rayPath(), scene, 1024, 0.01f));
+    scene.shadows.bias = 1e-9f;  // less than rounding: a sphere knows itself without
+    const Image image = engineOf("buffer").render(along(kPath, scene, 1024, 0.01f));
     int differing = 0;
     for (std::size_t i = 0; i < exact.pixels.size(); ++i)
       differing += glm::length(image.pixels[i] - exact.pixels[i]) > 0.02f;
