@@ -71,6 +71,13 @@ void addLookup(Fields<ShadowSettings>& fields) {
       .field("samples", &ShadowSettings::samples, "Stochastic maps: texels averaged per lookup, 7, 13 or 21.")
       .field("seed", &ShadowSettings::seed, "Stochastic maps: of the random numbers.")
       .field("stratified", &ShadowSettings::stratified, "Stochastic maps: numbers spread evenly over a lookup.")
+      .field("patch", &ShadowSettings::patch,
+             "Implicit spheres: rings of texels around the one looked up; -1: as needed.")
+      .field("softness", &ShadowSettings::softness, "Implicit spheres: world units that penumbrae reach out.")
+      .field("softness_distance", &ShadowSettings::softnessDistance,
+             "Implicit spheres: where penumbrae are fully soft.")
+      .field("softness_exponent", &ShadowSettings::softnessExponent,
+             "Implicit spheres: how penumbrae grow up to there.")
       .field("cache", &ShadowSettings::cache, "'none' or 'volume': transmittance kept at every voxel.")
       .field("bias", &ShadowSettings::bias, "World units towards the light for surface points; 0: from the scene.");
 }

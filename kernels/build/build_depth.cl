@@ -22,9 +22,10 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
       stopInSegment(&stop, &ray, &walk, depth, scene CDSM_STOP_ARGS CDSM_VOLUME_ARGS);
-    float opacity = scene.objects[surfaceObject(scene, nextFacing(&walk))].diffuse.w;
-    if (!isStopped(&stop)) stopAtSurface(&stop, depth, opacity);
+    uint facing = nextFacing(&walk);
+    float opacity = scene.objects[surfaceObject(scene, facing)].diffuse.w;
+    if (!isStopped(&stop)) stopAtSurface(&stop, depth, opacity, facing);
     passFragment(&walk, scene);
   }
-  storeStop(&stop, params.firstTexel + (uint)y * (uint)params.view.width + (uint)x, depths);
+  storeStop(&stop, params.firstTexel + (uint)y * (uint)params.view.width + (uint)x, scene, depths);
 }

@@ -3,7 +3,7 @@
 // a quadratic of u and v says so: the distance of the ray from the centre, times the length of the ray's direction, is
 // at most the radius times that length. Around the centre's own pixel nothing in it cancels.
 #include "build/screen_slot.clh"
-#include "common/affine.clh"
+#include "common/sphere.clh"
 
 /// a x^2 + 2 b x y + c y^2 + 2 d x + 2 e y + f <= 0: pixels (x, y) from the centre's that meet the sphere.
 typedef struct Conic {
@@ -59,12 +59,12 @@ int2 pixelsBetween(float low, float high, int width) {
   return (int2)((int)max(first, 0.0f), (int)min(last, (float)(width - 1)));
 }
 
-/// Fills in the outline; pixels of the box around it, empty if z < x or w < y.
-int4 outlineSphere(ScreenSphere* s, const ViewData* view, float3 center, float depth) {
+/// Fills in the outline of a sphere of this radius; pixels of the box around it, empty if z < x or w < y.
+int4 outlineSphere(ScreenSphere* s, const ViewData* view, float3 center, float depth, float radius) {
   float w = dot(view->pixelW.xyz, center) + view->pixelW.w;
   float2 pixel = (float2)(dot(view->pixelU.xyz, center) + view->pixelU.w,
                           dot(view->pixelV.xyz, center) + view->pixelV.w) / w;
-  Conic q = conicOf(view, pixel, depth, s->sphere.w);
+  Conic q = conicOf(view, pixel, depth, radius);
   Rows rows = rowsOf(q), columns = rowsOf(transposed(q));
   s->outline = (float4)(pixel, q.b / q.a, q.d / q.a);
   s->reach = (float4)(rows.reach, 1.0f);
@@ -84,29 +84,34 @@ bool besideView(const ViewData* view, float3 center, float radius) {
          beyond((float)view->height * view->pixelW - view->pixelV, center, radius);
 }
 
-/// A work item per sphere of the scene. Views are at most 2^16 tiles wide and high.
+/// World units between neighbouring pixels at a depth.
+float pixelWidth(const ViewData* view, float depth) {
+  return max(length(view->originU.xyz + depth * view->dirU.xyz), length(view->originV.xyz + depth * view->dirV.xyz));
+}
+
+/// A work item per sphere of the scene. What is smaller than params.leastRadius covers as many pixels as if it were not,
+/// but its rays still meet the sphere as it is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide and high.
 __kernel void setupSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
                            __global const ObjectData* objects, __global ScreenSphere* screen,
                            __global RasterCounters* counters, __global uint* large) {
   if (get_global_id(0) >= params.count) return;
   uint id = params.first + (uint)get_global_id(0);
-  float4 sphere = spheres[id].sphere;
-  __global const ObjectData* object = &objects[as_uint(spheres[id].color.w)];
-  Affine worldFromObject = object->worldFromObject;
-  float3 center = transformPoint(worldFromObject, sphere.xyz);
-  float radius = sphere.w * length(worldFromObject.x.xyz);
+  float4 sphere = worldSphere(&spheres[id], objects);
+  float3 center = sphere.xyz;
   float depth = dot(view.depth.xyz, center) + view.depth.w;
-  if (depth + radius < view.nearDepth) return;
+  if (depth + sphere.w < view.nearDepth) return;
+  float radius = max(sphere.w, params.leastRadius * pixelWidth(&view, depth));
 
   ScreenSphere s;
-  s.sphere = (float4)(center - view.origin.xyz, radius);
+  s.sphere = (float4)(center - view.origin.xyz, sphere.w);
   s.outline = s.reach = (float4)(0.0f);
-  s.facing = CDSM_SPHERE_BIT | (id << 1) | (object->diffuse.w < 1.0f ? 1u : 0u);
+  float opacity = objects[as_uint(spheres[id].color.w)].diffuse.w;
+  s.facing = CDSM_SPHERE_BIT | (id << 1) | (opacity < 1.0f ? 1u : 0u);
   s.minDepth = depth - radius;
   bool parallel = dot(view.dirU.xyz, view.dirU.xyz) == 0.0f;
   bool ellipse = parallel || (s.minDepth >= view.nearDepth && depth >= CDSM_ELLIPSE_DEPTH * radius);
   if (!ellipse && besideView(&view, center, radius)) return;
-  int4 box = ellipse ? outlineSphere(&s, &view, center, depth) : (int4)(0, 0, view.width - 1, view.height - 1);
+  int4 box = ellipse ? outlineSphere(&s, &view, center, depth, radius) : (int4)(0, 0, view.width - 1, view.height - 1);
   if (box.z < box.x || box.w < box.y) return;
   int4 tiles = box >> 3;
   s.firstTile = (uint)tiles.x | ((uint)tiles.y << 16);

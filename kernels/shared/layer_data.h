@@ -46,7 +46,7 @@ typedef struct SetupParams {
   uint first;     ///< triangle or sphere of the scene
   uint count;
   uint capacity;  ///< triangles or spheres on the screen that there is room for
-  uint padding;
+  float leastRadius;  ///< pixels around its centre that a sphere covers at least
 } SetupParams;
 CDSM_SIZE(SetupParams, 16);
 

@@ -71,6 +71,13 @@ TEST_P(TinyEngine, everythingByCachedMaps) {
   scene.shadows.cache = "volume";
   expectSound(engine_, scene);
 }
+TEST_P(TinyEngine, spheresByThemselves) {
+  Scene scene = along(spheresScene(), "implicit-sphere", "exact", "bilinear");
+  expectSound(engine_, scene);
+  scene.shadows.patch = ShadowSettings::kPatchAuto;
+  scene.shadows.softness = 0.2f;
+  expectSound(engine_, scene);
+}
 TEST_P(TinyEngine, debugPictures) {
   const Scene scene = along(everythingScene(), "deep-shadow-map", "chunked", "bilinear");
   for (const DebugView view : {DebugView::Clusters, DebugView::Nodes, DebugView::Steps, DebugView::Texels})

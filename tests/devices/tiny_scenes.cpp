@@ -73,6 +73,21 @@ Scene stackScene() {
   return scene;
 }
 
+Scene spheresScene() {
+  Scene scene = reference::emptyScene();
+  scene.image.width = scene.image.height = kSide;
+  scene.shadows.mapSize = kSide;
+  reference::addMesh(scene, reference::stackMesh(1, -1.0f, 1.0f, 2.0f),
+                     reference::addMaterial(scene, glm::vec3(0.7f), 1.0f));
+  SphereData data;
+  for (int i = 0; i < 12; ++i) {
+    data.centers.emplace_back(0.15f * float(i) - 0.9f, 0.1f * float(i % 5), 0.2f * float(i % 3) - 0.2f);
+    data.radii.push_back(0.01f + 0.04f * float(i % 4));
+  }
+  reference::addSpheres(scene, std::move(data), reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
+  return scene;
+}
+
 Scene along(Scene scene, const std::string& technique, const std::string& memory, const std::string& filter) {
   scene.shadows.technique = technique;
   scene.shadows.memory = memory;

@@ -18,6 +18,9 @@ Scene cutScene();
 /// Many sheets: more nodes than the first chunks and layers have room for.
 Scene stackScene();
 
+/// Spheres of many sizes over a floor, smaller than a texel, too.
+Scene spheresScene();
+
 Scene along(Scene scene, const std::string& technique, const std::string& memory, const std::string& filter);
 
 /// An engine on the device at hand that fetches as "buffer" or "image".

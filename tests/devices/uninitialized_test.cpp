@@ -25,6 +25,7 @@ std::vector<Case> cases() {
           {"EverythingRays", along(everythingScene(), "shadow-rays", "chunked", "bilinear")},
           {"EverythingDepths", along(everythingScene(), "shadow-map", "chunked", "bilinear")},
           {"EverythingPhotons", along(everythingScene(), "stochastic", "chunked", "bilinear")},
+          {"SpheresThemselves", along(spheresScene(), "implicit-sphere", "chunked", "bilinear")},
           {"VolumeChunked", maps(volumeScene(VoxelType::UInt8), "chunked")},
           {"VolumeNone", along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear")},
           {"CutAtlas", maps(cutScene(), "atlas")},

@@ -84,14 +84,15 @@ CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
             F(pointCount) F(light) F(pointStride) F(padding) CDSM_END CDSM_BEGIN(MemoryParams) F(atlasSize) F(capacity)
                 F(firstNode) F(scratchChunks) F(fill) F(nodesPerTexel) F(padding0) F(padding1) F(padding2) CDSM_END
     CDSM_BEGIN(TechniqueParams) F(memory) F(bilinear) F(mediumCount) F(nodeCount) F(texelBias) F(opaque) F(threshold)
-        F(pcf) F(samples) CDSM_END CDSM_BEGIN(DepthParams) F(view) F(threshold) F(firstTexel) F(seed) F(patternX)
-            F(patternY) F(jitter) F(channelShift) F(padding) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep)
-                F(bias) F(light) F(padding) CDSM_END CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
+        F(pcf) F(samples) F(patch) F(softness) F(softnessDistance) F(softnessExponent) CDSM_END CDSM_BEGIN(DepthParams)
+            F(view) F(threshold) F(firstTexel) F(seed) F(patternX) F(patternY) F(jitter) F(channelShift)
+                F(padding) CDSM_END CDSM_BEGIN(ProbeParams) F(view) F(interiorStep) F(bias) F(light) F(padding) CDSM_END
+    CDSM_BEGIN(MapProbe) F(seen) F(nodes) F(map) F(checker) CDSM_END
 
     CDSM_BEGIN(ScreenTriangle) F(plane) F(a) F(b) F(c) F(minDepth) F(maxDepth) F(facing) F(padding0) F(padding1)
         F(padding2) CDSM_END CDSM_BEGIN(ScreenSphere) F(sphere) F(outline) F(reach) F(firstTile) F(lastTile) F(facing)
             F(minDepth) CDSM_END CDSM_BEGIN(RasterCounters) F(wanted) F(large) F(padding0) F(padding1) CDSM_END
-    CDSM_BEGIN(SetupParams) F(first) F(count) F(capacity) F(padding) CDSM_END
+    CDSM_BEGIN(SetupParams) F(first) F(count) F(capacity) F(leastRadius) CDSM_END
 
     CDSM_BEGIN(LightData) F(position) F(axis) F(color) F(firstMap) F(mapCount) F(type) F(front) F(formerCount) F(share)
         F(firstShadowBlock) F(mediumCount) CDSM_END CDSM_BEGIN(MapData) F(texelU) F(texelV) F(texelW) F(depth) F(origin)

@@ -24,11 +24,14 @@ std::vector<Path> spherePaths() {
   paths.push_back(mapPath("chunked", "bilinear", 4));
   paths.push_back({"shadow-map", "chunked", "nearest", "buffer"});
   paths.push_back({"shadow-rays", "chunked", "opaque", "buffer"});
+  paths.push_back({"implicit-sphere", "chunked", "bilinear", "buffer"});
   return paths;
 }
 
 /// Knows all or nothing.
-bool isOpaque(const Path& path) { return path.technique == "shadow-map" || path.filter == "opaque"; }
+bool isOpaque(const Path& path) {
+  return path.technique == "shadow-map" || path.technique == "implicit-sphere" || path.filter == "opaque";
+}
 
 /// "opaque" in place of a filter: opaque rays.
 Scene alongSpheres(const Path& path, const Scene& scene) {

@@ -238,6 +238,15 @@ SCENES = [
     settings("samples of no known lookup", "samples is 14, must be 7, 13 or 21", "shadows.samples=14"),
     settings("samples below 0", "samples is -7, must be in [7, 21]", "shadows.samples=-7"),
     settings("part of a sample", "samples is a number with a fraction", "shadows.samples=7.5"),
+    settings("spheres' shadows without spheres", "the technique implicit-sphere needs [[spheres]]",
+             "shadows.technique=implicit-sphere"),
+    settings("patch below 0", "patch is -1, must be in [0, 64]", "shadows.patch=-1"),
+    settings("patch of no known word", 'patch must be "auto" or an integer in [0, 64]', "shadows.patch=all"),
+    settings("part of a ring", 'patch must be "auto" or an integer', "shadows.patch=0.5"),
+    settings("softness below 0", "softness is -0.5, must be at least 0", "shadows.softness=-0.5"),
+    settings("softness at no distance", "softness_distance is 0, must be above 0", "shadows.softness_distance=0"),
+    settings("softness that is no number", "softness_exponent is nan, must be above 0",
+             "shadows.softness_exponent=nan"),
     settings("seed below 0", "seed is -1, must be in [0, 999999]", "shadows.seed=-1"),
     settings("seed with a fraction", "seed is a number with a fraction", "shadows.seed=0.5"),
     settings("stratified as a number", "stratified is an integer, must be true or false", "shadows.stratified=1"),
@@ -596,7 +605,6 @@ FRAMES = [
 LATER = [
     settings(f"unsupported {value}", "not supported yet", value)
     for value in (
-        "shadows.technique=implicit-sphere",
         "shadows.transmittance=rgb",
         "material.glass.transmission=[0.0, 1.0, 0.0]",
         "volume.smoke.transmission=color",

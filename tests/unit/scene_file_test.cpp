@@ -193,8 +193,7 @@ TEST_F(SceneFile, TakesAMatrixRowByRow) {
 
 TEST_F(SceneFile, AcceptsLaterKeysAtTheirDefaults) {
   EXPECT_EQ(complaint("[shadows]\ntransmittance = 'grey'\n"
-                      "patch = 1\nsoftness = 0.0\nsoftness_distance = 1.0\n"
-                      "softness_exponent = 1.0\ncache = 'none'\n" +
+                      "cache = 'none'\n" +
                       kMaterial + "transmission = [0, 0, 0]\n" + kVolume + "transmission = []\nboundary = ''\n"),
             "");
 }
@@ -310,12 +309,24 @@ TEST_F(SceneFile, RefusesKeysOfOtherTypesOfLights) {
   });
 }
 
+TEST_F(SceneFile, TakesAPatchByNumberOrWord) {
+  EXPECT_EQ(read("[shadows]\npatch = 3\n").shadows.patch, 3);
+  EXPECT_EQ(read("[shadows]\npatch = 'auto'\n").shadows.patch, ShadowSettings::kPatchAuto);
+  expectComplaints({
+      {"[shadows]\npatch = -1\n", "scene.toml:2:9: patch is -1, must be in [0, 64] texels"},
+      {"[shadows]\npatch = 'all'\n", "scene.toml:2:9: patch must be \"auto\" or an integer in [0, 64] texels"},
+      {"[shadows]\npatch = 1.5\n", "scene.toml:2:9: patch must be \"auto\" or an integer"},
+      {"[shadows]\nsoftness = -1\n", "scene.toml:2:12: softness is -1, must be at least 0"},
+      {"[shadows]\nsoftness_distance = 0\n", "scene.toml:2:21: softness_distance is 0, must be above 0"},
+      {"[shadows]\nsoftness_exponent = 0\n", "scene.toml:2:21: softness_exponent is 0, must be above 0"},
+      {"[shadows]\ntechnique = 'implicit-sphere'\n",
+       "scene.toml:2:13: the technique implicit-sphere needs [[spheres]]"},
+  });
+}
+
 TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
   expectComplaints({
-      {"[shadows]\ntechnique = 'implicit-sphere'\n",
-       "scene.toml:2:13: technique 'implicit-sphere' is not supported yet"},
       {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
-      {"[shadows]\npatch = 'auto'\n", "scene.toml:2:9: patch other than 1 is not supported yet"},
       {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
       {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},

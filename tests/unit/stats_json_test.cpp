@@ -21,6 +21,8 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   shadows.samples = 21;
   shadows.seed = 7;
   shadows.stratified = true;
+  shadows.patch = ShadowSettings::kPatchAuto;
+  shadows.softness = 0.1f;
   const auto settings = nlohmann::json::parse(statsJson({}, shadows, {})).at("settings");
   EXPECT_EQ(settings.at("technique"), "deep-shadow-map");
   EXPECT_EQ(settings.at("memory"), "exact");
@@ -37,6 +39,10 @@ TEST(StatsJson, ShowsTheSettingsByTheirKeys) {
   EXPECT_EQ(settings.at("samples"), 21);
   EXPECT_EQ(settings.at("seed"), 7);
   EXPECT_EQ(settings.at("stratified"), true);
+  EXPECT_EQ(settings.at("patch"), "auto");
+  EXPECT_EQ(settings.at("softness"), 0.1);
+  EXPECT_EQ(settings.at("softness_distance"), 1.0);
+  EXPECT_EQ(settings.at("softness_exponent"), 1.0);
   EXPECT_EQ(settings.at("step"), 0.0);
   EXPECT_EQ(settings.at("bias"), 0.0);
   EXPECT_EQ(settings.at("tolerance_mode"), "samples");

@@ -34,6 +34,8 @@ struct ImageSettings {
 /// How shadows are made. Names of techniques and memory strategies are those of the scene file; the registry
 /// (host/src/technique/registry.cpp) is the list of what exists.
 struct ShadowSettings {
+  static constexpr int kPatchAuto = -1;  ///< as many rings as change something
+
   std::string technique = "deep-shadow-map";
   std::string memory = "exact";
   int maxNodes = 16;                      ///< memory "fixed": nodes per texel, in [2, 256]
@@ -43,11 +45,15 @@ struct ShadowSettings {
   std::string toleranceMode = "samples";  ///< samples | everywhere: where V' is within the tolerance
   std::string filter = "bilinear";        ///< bilinear | nearest
   std::string rays = "exact";             ///< shadow-rays: exact | opaque
-  float threshold = 0.5f;         ///< shadow-map, opaque rays: opacity above which all light is stopped, in [0, 1)
-  int pcf = 1;                    ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
-  int samples = 13;               ///< stochastic: texels averaged per lookup, 7, 13 or 21
-  int seed = 1;                   ///< stochastic: of its random numbers, at least 0
-  bool stratified = false;        ///< stochastic: numbers spread evenly over the texels of a lookup
+  float threshold = 0.5f;   ///< techniques of all or nothing: opacity above which all light is stopped, in [0, 1)
+  int pcf = 1;              ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
+  int samples = 13;         ///< stochastic: texels averaged per lookup, 7, 13 or 21
+  int seed = 1;             ///< stochastic: of its random numbers, at least 0
+  bool stratified = false;  ///< stochastic: numbers spread evenly over the texels of a lookup
+  int patch = 1;            ///< implicit-sphere: rings of texels around the one looked up, in [0, 64], or kPatchAuto
+  float softness = 0.0f;    ///< implicit-sphere: world units that penumbras reach past spheres, at least 0
+  float softnessDistance = 1.0f;  ///< implicit-sphere: distance from which on they do so in full, > 0
+  float softnessExponent = 1.0f;  ///< implicit-sphere: of what a penumbra darkens, > 0
   int clusters = 1;               ///< the most clusters of casters per light; 1: no clustering
   float clusterDistance = 0.25f;  ///< d0, in units of the light-space-perspective [-1, 1] square
   bool stable = false;            ///< hand over smoothly when clusters change; frames depend on those before

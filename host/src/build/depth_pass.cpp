@@ -54,7 +54,7 @@ std::vector<shared::MapData> DepthPass::run(const DeviceScene& scene, const std:
     if (jobs[i].kept != memory::kBuildAnew) continue;
     const ObjectSet& casters = scene.castingObjects(jobs[i].casters);
     device_.profiler().beginGroup("rasterize");
-    const Layers& layers = raster.run(scene, casters, jobs[i].view, report);
+    const Layers& layers = raster.run(scene, casters, jobs[i].view, report, rule.leastRadius);
     device_.profiler().beginGroup("build maps");
     shared::DepthParams params = rule.params;
     params.view = layers.view;

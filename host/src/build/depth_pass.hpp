@@ -17,6 +17,7 @@ struct StopRule {
   const char* kernelFile;          ///< CDSM_STOP, quoted
   shared::DepthParams params;      ///< view, first texel and the map's own seed are up to the pass
   device::ArgumentList arguments;  ///< of CDSM_STOP_PARAMS
+  float leastRadius = 0.0f;        ///< texels around its centre that a sphere covers at least
 };
 
 /// Keeps the depths of all maps, one map after the other.

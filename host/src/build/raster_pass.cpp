@@ -60,9 +60,10 @@ void RasterPass::setUpTriangles(const DeviceScene& scene, const ObjectSet& objec
 }
 
 void RasterPass::setUpSpheres(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
-                              const Report& report) {
+                              const Report& report, float leastRadius) {
   using List = ScreenList<shared::ScreenSphere>;
-  const auto setUp = [&](const shared::SetupParams& params, List& list) {
+  const auto setUp = [&](shared::SetupParams params, List& list) {
+    params.leastRadius = leastRadius;
     setupSpheres_({list.names().setUp, {params.count}, {List::kGroup}}, params, view, scene.spheres(), objects.objects,
                   list.screen(), list.counters(), list.large());
   };
@@ -88,8 +89,8 @@ std::size_t RasterPass::fillTiles(const shared::ViewData& view, std::size_t tile
   return scan_(tiles, tiles_.fragments, tiles_.fragmentStart);
 }
 
-Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view,
-                        const Report& report) {
+Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view, const Report& report,
+                        float leastRadius) {
   // asked where rays begin to see: what lies between the eye and the near plane has been passed by then
   const glm::vec3 eye(view.origin.x, view.origin.y, view.origin.z), axis(view.depth.x, view.depth.y, view.depth.z);
   const auto around = scene.objectsAround(objects.enclosing, eye + view.nearDepth * axis);
@@ -100,7 +101,7 @@ Layers& RasterPass::run(const DeviceScene& scene, const ObjectSet& objects, shar
   const std::size_t tiles = std::size_t(view.tilesX) * view.tilesY;
   layers_.ranges.reserve(tiles * CDSM_TILE_PIXELS);
   setUpTriangles(scene, objects, view, report);
-  setUpSpheres(scene, objects, view, report);
+  setUpSpheres(scene, objects, view, report, leastRadius);
   const std::size_t slots = fillTiles(view, tiles) + tiles * CDSM_TILE_PIXELS * around.size();
   if (slots > 0xffffffffu)
     throw DeviceError("a view of " + std::to_string(view.width) + " x " + std::to_string(view.height) +

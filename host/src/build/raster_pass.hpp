@@ -32,8 +32,9 @@ class RasterPass {
   explicit RasterPass(device::Device& device);
 
   /// Rasterizes these objects of the scene as seen from `view`. Tells `report` what had to be repeated for lack of
-  /// room.
-  Layers& run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view, const Report& report);
+  /// room. `leastRadius`: pixels around its centre that a sphere covers at least.
+  Layers& run(const DeviceScene& scene, const ObjectSet& objects, shared::ViewData view, const Report& report,
+              float leastRadius = 0.0f);
 
  private:
   using Uints = device::Buffer<std::uint32_t>;
@@ -42,7 +43,7 @@ class RasterPass {
   void setUpTriangles(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
                       const Report& report);
   void setUpSpheres(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
-                    const Report& report);
+                    const Report& report, float leastRadius);
   /// Pairs of all tiles; returns the number of their fragments.
   std::size_t fillTiles(const shared::ViewData& view, std::size_t tiles);
 

@@ -41,6 +41,7 @@ void FrameState::check(const Scene& scene) {
   scene::validateCamera(scene.camera);
   scene::validateImage(scene.image);
   scene::validateShadows(scene.shadows);
+  scene::validateTechnique(scene);
   for (const Light& light : scene.lights) scene::validateLight(light);
 }
 

@@ -14,6 +14,8 @@
 #include "io/toml_overrides.hpp"
 #include "io/toml_reader.hpp"
 
+#include "scene/validate.hpp"
+
 namespace cdsm::io {
 namespace {
 
@@ -78,6 +80,15 @@ void readAll(const TableReader& root, const std::string& kind, std::vector<Objec
   }
 }
 
+/// Only the whole scene can tell.
+void requireTechnique(const TableReader& root, const Scene& scene) {
+  const toml::table* shadows = findTable(root, "shadows");
+  if (shadows)
+    TableReader(*shadows, "[shadows]", keyNamesOf("shadows")).locate("technique", [&] {
+      scene::validateTechnique(scene);
+    });
+}
+
 Scene readTree(const toml::table& tree, AssetCache& assets) {
   const TableReader root(tree, "the scene", allTables());
   for (const std::string& name : kLaterSceneTables) root.refuse(name);
@@ -92,6 +103,7 @@ Scene readTree(const toml::table& tree, AssetCache& assets) {
           [&](const toml::table& table) { return readVolumeTable(table, scene, assets); });
   readAll(root, "spheres", scene.spheres,
           [&](const toml::table& table) { return readSpheresTable(table, scene, assets); });
+  requireTechnique(root, scene);
   return scene;
 }
 

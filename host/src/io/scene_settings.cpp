@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // [camera], [image] and [shadows] of a scene file.
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "scene/range.hpp"
@@ -12,7 +8,8 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map", "stochastic"}, {"implicit-sphere"}};
+const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map", "stochastic", "implicit-sphere"},
+                          {}};
 const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
 const Choices kNodeFormats{{"float32", "unorm16"}, {}};
 const Choices kFilters{{"bilinear", "nearest"}, {}};
@@ -21,11 +18,6 @@ const Choices kOverflows{{"error", "coarsen"}, {}};
 const Choices kRays{{"exact", "opaque"}, {}};
 const Choices kTransmittances{{"grey"}, {"rgb"}};
 const Choices kCaches{{"none", "volume"}, {}};
-
-/// Keys of techniques and modes that do not exist yet, with the defaults of the contract. At its default such a key is
-/// accepted and ignored: nothing that this version computes depends on it.
-const std::vector<std::pair<std::string, double>> kLaterShadowKeys{
-    {"patch", 1.0}, {"softness", 0.0}, {"softness_distance", 1.0}, {"softness_exponent", 1.0}};
 
 }  // namespace
 
@@ -69,6 +61,10 @@ ShadowSettings readShadows(const toml::table& table) {
   reader.locate("samples", [&] { scene::validateSamples(shadows.samples); });
   shadows.seed = reader.integer("seed", shadows.seed, scene::kSeed);
   shadows.stratified = reader.flag("stratified", shadows.stratified);
+  shadows.patch = reader.integerOr("patch", shadows.patch, scene::kPatch, "auto", ShadowSettings::kPatchAuto);
+  shadows.softness = reader.number("softness", shadows.softness, scene::kNotNegative);
+  shadows.softnessDistance = reader.number("softness_distance", shadows.softnessDistance, scene::kPositive);
+  shadows.softnessExponent = reader.number("softness_exponent", shadows.softnessExponent, scene::kPositive);
   shadows.clusters = reader.integer("clusters", shadows.clusters, scene::kClusters);
   shadows.clusterDistance = reader.number("cluster_distance", shadows.clusterDistance, scene::kClusterDistance);
   shadows.stable = reader.flag("stable", shadows.stable);
@@ -78,7 +74,6 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.cache = reader.choice("cache", shadows.cache, kCaches);
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
   reader.choice("transmittance", "grey", kTransmittances);
-  for (const auto& [key, accepted] : kLaterShadowKeys) reader.refuseUnless(key, accepted);
   reader.locate("tolerance", [&] { scene::validateShadows(shadows); });  // all else has been checked above
   return shadows;
 }

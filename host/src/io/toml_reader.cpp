@@ -135,6 +135,15 @@ int TableReader::integer(std::string_view key, int fallback, const Range& range)
   return static_cast<int>(value);
 }
 
+int TableReader::integerOr(std::string_view key, int fallback, const Range& range, const std::string& word,
+                           int named) const {
+  const toml::node* node = table_.get(key);
+  if (node && node->is_string() && *node->value<std::string>() == word) return named;
+  if (node && !node->is_integer())
+    failAt(node->source(), std::string(key) + " must be \"" + word + "\" or an integer " + range.text());
+  return integer(key, fallback, range);
+}
+
 float TableReader::number(std::string_view key, float fallback, const Range& range) const {
   const toml::node* node = table_.get(key);
   return node ? numberOf(*node, std::string(key), range) : fallback;
@@ -180,12 +189,6 @@ std::string TableReader::choice(std::string_view key, const std::string& fallbac
 
 void TableReader::refuse(std::string_view key) const {
   if (has(key)) fail(key, "'" + std::string(key) + "' in " + title_ + " is not supported yet, must be left out");
-}
-
-void TableReader::refuseUnless(std::string_view key, double accepted) const {
-  const toml::node* node = table_.get(key);
-  if (!node || (node->is_number() && node->value<double>() == accepted)) return;
-  fail(key, std::string(key) + " other than " + scene::formatNumber(accepted) + " is not supported yet");
 }
 
 void TableReader::refuseUnlessEmpty(std::string_view key) const {

@@ -43,6 +43,9 @@ class TableReader {
   std::string text(std::string_view key, const std::string& fallback) const;
   bool flag(std::string_view key, bool fallback) const;
   int integer(std::string_view key, int fallback, const scene::Range& range) const;
+  /// The same, or a word that stands for `named`.
+  int integerOr(std::string_view key, int fallback, const scene::Range& range, const std::string& word,
+                int named) const;
   float number(std::string_view key, float fallback, const scene::Range& range) const;
   glm::vec3 vector(std::string_view key, const glm::vec3& fallback, const scene::Range& range) const;
   std::string choice(std::string_view key, const std::string& fallback, const Choices& choices) const;
@@ -56,8 +59,7 @@ class TableReader {
 
   /// Throws "not supported yet" when the key is there.
   void refuse(std::string_view key) const;
-  /// The same, unless it has its default. Such a key concerns what is not supported, so its value does not matter.
-  void refuseUnless(std::string_view key, double accepted) const;
+  /// The same, unless it has its default: then nothing depends on it.
   void refuseUnlessEmpty(std::string_view key) const;
 
   /// Throws at the key's value, or at the table when the key is missing.

@@ -110,7 +110,7 @@ LightChange lightChange(const Light& a, const Light& b) {
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
   if (std::tie(a.technique, a.mapSize, a.step) != std::tie(b.technique, b.mapSize, b.step)) return false;
-  if (a.technique == "shadow-map") return a.threshold == b.threshold;
+  if (a.technique == "shadow-map" || a.technique == "implicit-sphere") return a.threshold == b.threshold;
   if (a.technique == "stochastic")
     return std::tie(a.seed, a.stratified) == std::tie(b.seed, b.stratified) &&
            (!a.stratified || a.samples == b.samples);
@@ -122,7 +122,8 @@ bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
 
 bool sameTransmittance(const Scene& a, const Scene& b) {
   const auto settings = [](const ShadowSettings& s) {
-    return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.samples, s.clusters, s.clusterDistance, s.cache);
+    return std::tie(s.filter, s.rays, s.threshold, s.pcf, s.samples, s.patch, s.softness, s.softnessDistance,
+                    s.softnessExponent, s.clusters, s.clusterDistance, s.cache);
   };
   if (!sameMapSettings(a.shadows, b.shadows) || settings(a.shadows) != settings(b.shadows)) return false;
   const auto counts = [](const Scene& s) {

@@ -43,6 +43,7 @@ inline constexpr Range kToleranceUnorm16{double(2e-5f), 1.0, false, true};
 inline constexpr Range kThreshold{0.0, 1.0, false, true};
 inline constexpr Range kPcf{0, 16, false, false, "texels"};
 inline constexpr Range kSamples{7, 21};
+inline constexpr Range kPatch{0, 64, false, false, "texels"};
 inline constexpr Range kSeed{0, 999999};
 inline constexpr Range kClusters{1, 64};
 /// Up to the diagonal of the square [-1, 1], 2 sqrt(2), rounded up: nothing in it is farther apart.

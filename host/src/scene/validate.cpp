@@ -126,6 +126,10 @@ void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.pcf, kPcf, "shadows pcf");
   validateSamples(shadows.samples);
   requireRange(shadows.seed, kSeed, "shadows seed");
+  if (shadows.patch != ShadowSettings::kPatchAuto) requireRange(shadows.patch, kPatch, "shadows patch");
+  requireRange(shadows.softness, kNotNegative, "shadows softness");
+  requireRange(shadows.softnessDistance, kPositive, "shadows softness_distance");
+  requireRange(shadows.softnessExponent, kPositive, "shadows softness_exponent");
   requireRange(shadows.clusters, kClusters, "shadows clusters");
   requireRange(shadows.clusterDistance, kClusterDistance, "shadows cluster_distance");
   requireRange(shadows.step, kNotNegative, "shadows step");
@@ -136,6 +140,11 @@ void validateShadows(const ShadowSettings& shadows) {
   requireEither(shadows.nodeFormat, "float32", "unorm16", "shadows node_format");
   requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
   requireEither(shadows.cache, "none", "volume", "shadows cache");
+}
+
+void validateTechnique(const Scene& scene) {
+  if (scene.shadows.technique == "implicit-sphere" && scene.spheres.empty())
+    throw Error("the technique implicit-sphere needs [[spheres]] to cast shadows, of which the scene has none");
 }
 
 void validateLight(const Light& light) {
@@ -207,6 +216,7 @@ void validateScene(const Scene& scene, DataChecks& checks) {
   validateCamera(scene.camera);
   validateImage(scene.image);
   validateShadows(scene.shadows);
+  validateTechnique(scene);
   for (const Light& light : scene.lights) validateLight(light);
   for (const Material& material : scene.materials) validateMaterial(material);
   for (const Mesh& mesh : scene.meshes) validateMesh(mesh, scene.materials.size(), checks);

@@ -23,6 +23,9 @@ void validateSamples(int samples);
 /// Numbers and the filter. Technique and memory strategy are the registry's to know, not the scene's.
 void validateShadows(const ShadowSettings& shadows);
 
+/// The technique has what it needs.
+void validateTechnique(const Scene& scene);
+
 void validateLight(const Light& light);
 void validateMaterial(const Material& material);
 

@@ -6,15 +6,22 @@
 
 #include "cluster/light_camera.hpp"
 #include "device/host_step.hpp"
-#include "scene/objects.hpp"
 
 namespace cdsm::technique {
+
+std::vector<cluster::Caster> MapTechnique::drawnShapes(const Scene& scene, std::vector<cluster::Caster> shapes) const {
+  const auto other = [&](const cluster::Caster& shape) {
+    return !drawsInMaps(scene::placeOf(scene, shape.object).kind);
+  };
+  shapes.erase(std::remove_if(shapes.begin(), shapes.end(), other), shapes.end());
+  return shapes;
+}
 
 void MapTechnique::prepare(const Preparation& to) {
   const auto begun = std::chrono::steady_clock::now();
   knownShapes_.keepOnly(to.scene);
   const std::vector<cluster::Caster> shapes = cluster::objectShapes(to.scene, knownShapes_);
-  std::vector<MapCluster> clusters = planClusters(to, shapes);
+  std::vector<MapCluster> clusters = planClusters(to, drawnShapes(to.scene, shapes));
   clusterMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 
   const std::vector<build::MapJob> jobs = makeJobs(to.scene, shapes, clusters);

@@ -9,6 +9,7 @@
 #include "build/map_pass.hpp"
 #include "cluster/hand_over.hpp"
 #include "memory/memory_strategy.hpp"
+#include "scene/objects.hpp"
 #include "technique/map_cluster.hpp"
 #include "technique/shadow_technique.hpp"
 
@@ -24,6 +25,9 @@ class MapTechnique : public ShadowTechnique {
   void addStats(const Scene& scene, FrameStats& stats) const override;
 
  protected:
+  /// Whether objects of this kind cast by this technique.
+  virtual bool drawsInMaps(scene::ObjectKind) const { return true; }
+
   /// A light's maps: those of its clusters, behind them those of clusters that fade out.
   struct LightMaps {
     std::size_t first = 0, count = 0, formerCount = 0;
@@ -45,6 +49,8 @@ class MapTechnique : public ShadowTechnique {
   static float texelBias(const Scene& scene) { return scene.shadows.bias > 0.0f ? 0.0f : 0.5f; }
 
  private:
+  /// Those that may cast in its maps.
+  std::vector<cluster::Caster> drawnShapes(const Scene& scene, std::vector<cluster::Caster> shapes) const;
   /// The clusters of all lights as they should be, without maps; what they are to their lights goes to lightMaps_.
   std::vector<MapCluster> planClusters(const Preparation& to, const std::vector<cluster::Caster>& shapes);
   /// The clusters of one light: as planned, or as they are handed over. `share`: of the current ones.

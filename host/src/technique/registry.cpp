@@ -7,6 +7,7 @@
 #include "memory/fixed.hpp"
 #include "memory/tiled.hpp"
 #include "technique/deep_shadow_map.hpp"
+#include "technique/implicit_sphere.hpp"
 #include "technique/none.hpp"
 #include "technique/shadow_map.hpp"
 #include "technique/shadow_rays.hpp"
@@ -65,6 +66,7 @@ const std::vector<Entry<ShadowTechnique>>& techniques() {
          return std::make_unique<DeepShadowMap>(device, [make, settings, &device] { return make(settings, device); });
        }},
       {"stochastic", [](auto&, auto& device) { return std::make_unique<Stochastic>(device); }},
+      {"implicit-sphere", [](auto&, auto& device) { return std::make_unique<ImplicitSphere>(device); }},
   };
   return list;
 }
