@@ -89,8 +89,9 @@ float pixelWidth(const ViewData* view, float depth) {
   return max(length(view->originU.xyz + depth * view->dirU.xyz), length(view->originV.xyz + depth * view->dirV.xyz));
 }
 
-/// A work item per sphere of the scene. What is smaller than params.leastRadius covers as many pixels as if it were not,
-/// but its rays still meet the sphere as it is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide and high.
+/// A work item per sphere of the scene. One smaller than params.leastRadius covers as many pixels as if it were not, but
+/// its rays still meet the sphere as it is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide
+/// and high.
 __kernel void setupSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
                            __global const ObjectData* objects, __global ScreenSphere* screen,
                            __global RasterCounters* counters, __global uint* large) {

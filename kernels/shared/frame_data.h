@@ -68,7 +68,7 @@ typedef struct TechniqueParams {
   float threshold;   ///< shadow-rays, opaque: opacity over which a surface stops the light
   int pcf;           ///< shadow-map: texels of the filter around the one looked up
   int samples;       ///< stochastic: texels looked up at once
-  int patch;         ///< implicit-sphere: rings of texels around the one looked up; negative: as many as change something
+  int patch;         ///< implicit-sphere: rings of texels around the one looked up; negative: as many as it takes
   float softness, softnessDistance, softnessExponent;  ///< implicit-sphere: s, b, x
 } TechniqueParams;
 CDSM_SIZE(TechniqueParams, 96);
