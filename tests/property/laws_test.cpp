@@ -170,7 +170,7 @@ TEST_P(Laws, unitOfLengthDoesNotMatter) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Laws, ::testing::Values(1u, 2u, 3u, 11u));
+INSTANTIATE_TEST_SUITE_P(Seeds, Laws, ::testing::Values(1u, 2u, 11u));
 
 /// Smooth volumes: where an image sampler interpolates with 8 bits of fraction, the values stay close.
 Scene smoothScene() {

@@ -134,7 +134,7 @@ TEST_P(OpaqueScenes, getDarkerWithALowerThreshold) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, OpaqueScenes, ::testing::Range<std::uint32_t>(1, 5));
+INSTANTIATE_TEST_SUITE_P(Seeds, OpaqueScenes, ::testing::Range<std::uint32_t>(1, 4));
 
 /// A slab from -0.5 to 0.5, in the way of all light to (0.1, -1, 0.1).
 enum class Slab { Volume, Interior, Sheet };
