@@ -57,10 +57,12 @@ TEST_P(TinyEngine, nodesOf16Bits) {
   for (const char* memory : {"atlas", "chunked", "exact", "tiled", "fixed"}) {
     Scene scene = along(stackScene(), "deep-shadow-map", memory, "nearest");
     scene.shadows.nodeFormat = "unorm16";
+  scene.shadows.tolerance = 0.001f;
     expectSound(engine_, scene);
   }
   Scene scene = along(everythingScene(), "deep-shadow-map", "exact", "bilinear");
   scene.shadows.nodeFormat = "unorm16";
+  scene.shadows.tolerance = 0.001f;
   expectSound(engine_, scene);
 }
 TEST_P(TinyEngine, nodesThatAreMerged) {
