@@ -57,7 +57,7 @@ TEST_P(TinyEngine, nodesOf16Bits) {
   for (const char* memory : {"atlas", "chunked", "exact", "tiled", "fixed"}) {
     Scene scene = along(stackScene(), "deep-shadow-map", memory, "nearest");
     scene.shadows.nodeFormat = "unorm16";
-  scene.shadows.tolerance = 0.001f;
+    scene.shadows.tolerance = 0.001f;
     expectSound(engine_, scene);
   }
   Scene scene = along(everythingScene(), "deep-shadow-map", "exact", "bilinear");
