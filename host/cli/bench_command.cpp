@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // `cdsm bench SUITE`: the tables of the papers, measured here.
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "console.hpp"
 #include "io/atomic_file.hpp"
 #include "scene/range.hpp"
+#include "scene_run.hpp"
 
 namespace cdsm::cli {
 namespace {
@@ -83,15 +83,6 @@ Json resultsJson(const CommandOptions& options, const DeviceDescription& device,
           {"tables", list}};
 }
 
-void writeJson(const std::string& path, const Json& results) {
-  io::AtomicFile file(path);
-  std::ofstream stream(file.temporaryPath());
-  stream << results.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  stream.close();
-  if (!stream) throw Error(Location{path}, "cannot be written, must be on a disk with space");
-  file.commit();
-}
-
 void run(CommandOptions& options) {
   const Suite& suite = suiteOf(options.suite);
   if (options.suite != "memory" && !(options.files.empty() && options.mapSizes.empty()))
@@ -108,7 +99,10 @@ void run(CommandOptions& options) {
   std::cout << "suite " << suite.name << ": medians of " << options.runs << "; " << device.name << ", "
             << device.computeUnits << " cores, " << device.version << '\n';
   for (const Table& table : tables) printTable(std::cout, table);
-  if (!options.json.empty()) writeJson(options.json, resultsJson(options, device, tables));
+  if (!options.json.empty()) {
+    const Json results = resultsJson(options, device, tables);
+    writeText(options.json, results.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  }
 }
 
 }  // namespace

@@ -15,15 +15,13 @@ constexpr std::size_t kNodeTexelBytes = 16;
 std::size_t channelBytes(cl_channel_type type) {
   switch (type) {
     case CL_UNORM_INT8:
-    case CL_SNORM_INT8:
       return 1;
     case CL_UNORM_INT16:
-    case CL_SNORM_INT16:
       return 2;
     case CL_FLOAT:
       return 4;
     default:
-      throw DeviceError("a volume texture of an unknown channel type; UNORM, SNORM of 8 or 16 bits or FLOAT are known");
+      throw DeviceError("a volume texture of an unknown channel type; UNORM of 8 or 16 bits or FLOAT are known");
   }
 }
 

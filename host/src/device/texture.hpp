@@ -21,7 +21,7 @@ class VolumeTexture {
   using Size = std::array<std::size_t, 3>;  ///< voxels along x, y, z, each at least 1
 
   VolumeTexture() = default;
-  /// `type`: CL_UNORM_INT8, CL_SNORM_INT8, CL_UNORM_INT16, CL_SNORM_INT16 or CL_FLOAT; `voxels`: tightly packed,
+  /// `type`: CL_UNORM_INT8, CL_UNORM_INT16 or CL_FLOAT; `voxels`: tightly packed,
   /// `bytes` of them. Throws DeviceError with obstacle()'s reason, or when `bytes` is not what size and type need.
   VolumeTexture(Device& device, cl_channel_type type, const Size& size, const void* voxels, std::size_t bytes,
                 const std::string& name);

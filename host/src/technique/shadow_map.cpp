@@ -3,17 +3,13 @@
 
 namespace cdsm::technique {
 
-std::vector<shared::MapData> ShadowMap::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
-                                                  std::vector<MapCluster>&) {
+build::StopRule ShadowMap::stopRule(const Preparation& to) {
   const float threshold = to.scene.shadows.threshold;
-  const auto limits =
+  limits_ =
       device::Buffer<float>::fromHost(device(), to.deviceScene.opaqueExtinctions(threshold), "opaque extinctions");
-  build::StopRule rule{"\"build/stop_opaque.clh\"", {}, {limits.cl()}};
+  build::StopRule rule{"\"build/stop_opaque.clh\"", {}, {limits_.cl()}};
   rule.params.threshold = threshold;
-  std::vector<shared::MapData> maps = pass_.run(to.deviceScene, jobs, rule, to.raster, to.report);
-  texels_.clear();
-  for (const shared::MapData& map : maps) texels_.push_back(std::size_t(map.width) * std::size_t(map.height));
-  return maps;
+  return rule;
 }
 
 shared::TechniqueParams ShadowMap::params(const Scene& scene) const {
@@ -22,16 +18,6 @@ shared::TechniqueParams ShadowMap::params(const Scene& scene) const {
   params.texelBias = texelBias(scene);
   params.pcf = scene.shadows.pcf;
   return params;
-}
-
-memory::NodeCounts ShadowMap::nodeCounts(std::size_t map) const { return {texels_[map], 1}; }
-
-MemoryStats ShadowMap::memoryStats() const {
-  MemoryStats stats;
-  stats.strategy = "depth";
-  stats.bytesReserved = stats.bytesUsed = pass_.depths().bytes();
-  stats.bytesPerNode = sizeof(float);
-  return stats;
 }
 
 }  // namespace cdsm::technique

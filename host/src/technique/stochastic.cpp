@@ -39,8 +39,7 @@ void drawStratified(shared::DepthParams& params, int samples) {
 
 }  // namespace
 
-std::vector<shared::MapData> Stochastic::buildMaps(const Preparation& to, const std::vector<build::MapJob>& jobs,
-                                                   std::vector<MapCluster>&) {
+build::StopRule Stochastic::stopRule(const Preparation& to) {
   const ShadowSettings& shadows = to.scene.shadows;
   build::StopRule rule{"\"build/stop_random.clh\"", {}, {}};
   rule.params.seed = shared::uint(shadows.seed);
@@ -48,10 +47,7 @@ std::vector<shared::MapData> Stochastic::buildMaps(const Preparation& to, const 
     drawStratified(rule.params, shadows.samples);
   else
     drawPublished(rule.params);
-  std::vector<shared::MapData> maps = pass_.run(to.deviceScene, jobs, rule, to.raster, to.report);
-  texels_.clear();
-  for (const shared::MapData& map : maps) texels_.push_back(std::size_t(map.width) * std::size_t(map.height));
-  return maps;
+  return rule;
 }
 
 float Stochastic::lookupTolerance(const Scene& scene) const {
@@ -64,16 +60,6 @@ shared::TechniqueParams Stochastic::params(const Scene& scene) const {
   params.texelBias = texelBias(scene);
   params.samples = scene.shadows.samples;
   return params;
-}
-
-memory::NodeCounts Stochastic::nodeCounts(std::size_t map) const { return {kPhotons * texels_[map], kPhotons}; }
-
-MemoryStats Stochastic::memoryStats() const {
-  MemoryStats stats;
-  stats.strategy = "depth";
-  stats.bytesReserved = stats.bytesUsed = pass_.depths().bytes();
-  stats.bytesPerNode = sizeof(float);
-  return stats;
 }
 
 }  // namespace cdsm::technique
