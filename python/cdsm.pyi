@@ -40,6 +40,7 @@ class ShadowSettings:
     tolerance_mode: str
     filter: str
     rays: str
+    transmittance: str
     threshold: float
     pcf: int
     samples: int
@@ -59,7 +60,7 @@ class ShadowSettings:
     bias: float
     def __init__(self, *, technique: str = ..., memory: str = ..., max_nodes: int = ..., node_format: str = ...,
                  map_size: int = ..., tolerance: float = ..., tolerance_mode: str = ..., filter: str = ...,
-                 rays: str = ..., threshold: float = ..., pcf: int = ..., samples: int = ..., patch: int = ..., softness: float = ...,
+                 rays: str = ..., transmittance: str = ..., threshold: float = ..., pcf: int = ..., samples: int = ..., patch: int = ..., softness: float = ...,
                  softness_distance: float = ..., softness_exponent: float = ..., seed: int = ...,
                  stratified: bool = ..., clusters: int = ..., cluster_distance: float = ..., stable: bool = ...,
                  step: float = ..., memory_limit_mb: float = ..., cache: str = ..., on_overflow: str = ...,
@@ -82,8 +83,9 @@ class Material:
     specular: Vec3
     shininess: float
     opacity: float
+    transmission: Vec3
     def __init__(self, *, name: str = ..., diffuse: Vec3 = ..., specular: Vec3 = ..., shininess: float = ...,
-                 opacity: float = ...) -> None: ...
+                 opacity: float = ..., transmission: Vec3 = ...) -> None: ...
 
 class Mesh:
     name: str
@@ -94,13 +96,14 @@ class Mesh:
     world_from_object: ArrayLike
     interior_extinction: float
     interior_color: Vec3
+    interior_transmission: Vec3
     casts: bool
     receives: bool
     weight: float
     def __init__(self, *, name: str = ..., positions: Optional[Floats] = ..., normals: Optional[Floats] = ...,
                  triangles: Optional[Indices] = ..., material: Optional[Material] = ...,
                  world_from_object: ArrayLike = ..., interior_extinction: float = ..., interior_color: Vec3 = ...,
-                 casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
+                 interior_transmission: Vec3 = ..., casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
 
 class Spheres:
     name: str
@@ -120,9 +123,10 @@ class TransferFunction:
     opacity: ArrayLike
     shadow_opacity: ArrayLike
     color: ArrayLike
+    transmission: ArrayLike
     unit_distance: float
     def __init__(self, *, opacity: ArrayLike = ..., shadow_opacity: ArrayLike = ..., color: ArrayLike = ...,
-                 unit_distance: float = ...) -> None: ...
+                 transmission: ArrayLike = ..., unit_distance: float = ...) -> None: ...
 
 class Volume:
     name: str
@@ -182,6 +186,8 @@ class LightMap:
     def first_node(self) -> Indices: ...
     @property
     def nodes(self) -> Floats: ...
+    @property
+    def colors(self) -> Optional[Floats]: ...
 
 class Engine:
     def __init__(self, device: str = "", fetch: str = "auto", *,

@@ -84,7 +84,10 @@ py::array transmittance(EngineObject& engine, const std::string& light, const py
   checkType(points, py::dtype::of<float>(), "points are");
   checkShape(points, {-1, 3}, "points are");
   checkDense(points, "points are");
-  py::array_t<float> values = resultArray(out, {points.shape(0)}, "out is");
+  const auto channels = py::ssize_t(engine.work([](Engine& e) { return e.channels(); }));
+  std::vector<py::ssize_t> shape{points.shape(0)};
+  if (channels > 1) shape.push_back(channels);
+  py::array_t<float> values = resultArray(out, shape, "out is");
   checkApart(points, values, "out is");
   const auto* const first = static_cast<const glm::vec3*>(points.data());
   float* const result = values.mutable_data();

@@ -20,6 +20,12 @@ py::array nodes(const Map& map) {
   return viewOf<float>(&map->nodes.data()->depth, {py::ssize_t(map->nodes.size()), 2}, map);
 }
 
+py::object colors(const Map& map) {
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "transmittances of a node are a row of three floats");
+  if (map->colors.empty()) return py::none();
+  return viewOf<float>(&map->colors.data()->x, {py::ssize_t(map->colors.size()), 3}, map);
+}
+
 }  // namespace
 
 void bindLightMap(py::module_& module) {
@@ -44,7 +50,10 @@ void bindLightMap(py::module_& module) {
           "Left-handed: x to the right, y upwards, z is the depth.")
       .def_property_readonly("first_node", firstNodes,
                              "uint32: of texel y * width + x; one more at the end. Not copied.")
-      .def_property_readonly("nodes", nodes, "float32 of shape (n, 2): depth and transmittance. Not copied.");
+      .def_property_readonly("nodes", nodes, "float32 of shape (n, 2): depth and transmittance. Not copied.")
+      .def_property_readonly("colors", colors,
+                             "float32 of shape (n, 3): of each node the transmittances of red, green and blue light, "
+                             "of which `nodes` has the mean; None where transmittance is grey. Not copied.");
 }
 
 }  // namespace cdsm::python

@@ -65,7 +65,10 @@ void bindMesh(py::module_& module) {
           "interior_extinction", [](MeshObject& m) -> float& { return m.mesh.interiorExtinction; },
           "1 / world length; above 0 needs a closed mesh.")
       .field(
-          "interior_color", [](MeshObject& m) -> glm::vec3& { return m.mesh.interiorColor; }, "Linear RGB.");
+          "interior_color", [](MeshObject& m) -> glm::vec3& { return m.mesh.interiorColor; }, "Linear RGB.")
+      .field(
+          "interior_transmission", [](MeshObject& m) -> glm::vec3& { return m.mesh.interiorTransmission; },
+          "What of the light's colour gets through where the interior interacts.");
   addShadowRole(fields, [](MeshObject& m) -> ShadowRole& { return m.mesh.shadow; });
   fields.constructor();
 }

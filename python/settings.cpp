@@ -60,12 +60,15 @@ void bindMaterial(py::module_& module) {
       .field("specular", &Material::specular, "Linear RGB.")
       .field("shininess", &Material::shininess, "Exponent of the highlight.")
       .field("opacity", &Material::opacity, "Of one crossing of the surface, in [0, 1].")
+      .field("transmission", &Material::transmission,
+             "What of the light's colour gets through where the surface interacts; ShadowSettings.transmittance 'rgb'.")
       .constructor();
 }
 
 void addLookup(Fields<ShadowSettings>& fields) {
   fields.field("filter", &ShadowSettings::filter, "'bilinear' or 'nearest'.")
       .field("rays", &ShadowSettings::rays, "Technique 'shadow-rays': 'exact' or 'opaque'.")
+      .field("transmittance", &ShadowSettings::transmittance, "'grey' or 'rgb': whether what light gets through colours it.")
       .field("threshold", &ShadowSettings::threshold, "Shadow maps: opacity above which all light is stopped.")
       .field("pcf", &ShadowSettings::pcf, "Shadow maps: texels of the filter around the one looked up.")
       .field("samples", &ShadowSettings::samples, "Stochastic maps: texels averaged per lookup, 7, 13 or 21.")

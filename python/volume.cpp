@@ -96,18 +96,25 @@ Fields<TransferFunction>& addOpacities(Fields<TransferFunction>& fields, const c
       doc);
 }
 
-py::object colorsOf(TransferFunction& t) {
-  py::list rows;
-  for (const auto& p : t.color) rows.append(py::make_tuple(p.value, p.color.r, p.color.g, p.color.b));
-  return py::tuple(rows);
-}
+using ColorPoints = std::vector<TransferFunction::ColorPoint>;
 
-void setColors(TransferFunction& t, const py::object& given) {
-  const py::array_t<float> rows = pointsOf(given, 4, "TransferFunction.color is");
-  std::vector<TransferFunction::ColorPoint> list;
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-    list.push_back({rows.at(i, 0), {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}});
-  t.color = std::move(list);
+Fields<TransferFunction>& addColors(Fields<TransferFunction>& fields, const char* name,
+                                    ColorPoints TransferFunction::*points, const char* doc) {
+  return fields.property(
+      name,
+      [points](TransferFunction& t) {
+        py::list rows;
+        for (const auto& p : t.*points) rows.append(py::make_tuple(p.value, p.color.r, p.color.g, p.color.b));
+        return py::tuple(rows);
+      },
+      [points, what = "TransferFunction." + std::string(name) + " is"](TransferFunction& t, const py::object& given) {
+        const py::array_t<float> rows = pointsOf(given, 4, what);
+        ColorPoints list;
+        for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+          list.push_back({rows.at(i, 0), {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}});
+        t.*points = std::move(list);
+      },
+      doc);
 }
 
 void bindTransferFunction(py::module_& module) {
@@ -116,7 +123,10 @@ void bindTransferFunction(py::module_& module) {
   addOpacities(fields, "opacity", &TransferFunction::opacity, "Rows of (value, opacity per unit_distance).");
   addOpacities(fields, "shadow_opacity", &TransferFunction::shadowOpacity,
                "In place of `opacity` where light is attenuated; empty: the same.");
-  fields.property("color", colorsOf, setColors, "Rows of (value, red, green, blue).")
+  addColors(fields, "color", &TransferFunction::color, "Rows of (value, red, green, blue).");
+  addColors(fields, "transmission", &TransferFunction::transmission,
+            "What of the light's colour gets through where the volume interacts: rows of (value, red, green, blue); "
+            "empty: nothing.")
       .field("unit_distance", &TransferFunction::unitDistance, "World length for which the opacities hold, above 0.")
       .constructor();
 }

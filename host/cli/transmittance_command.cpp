@@ -28,7 +28,9 @@ void answer(const TransmittanceOptions& options) {
   const std::vector<Transmittance> answers = run.engine().transmittance(run.scene(), options.light, points);
   {
     const device::HostStep step = run.step("write answers");
-    io::writeTransmittances(options.output, points, answers);
+    const bool colored = run.scene().shadows.transmittance == "rgb";
+    io::writeTransmittances(options.output, points, answers,
+                            colored ? io::LightColumns::Colors : io::LightColumns::Transmittance);
   }
   run.warn();
   run.writeStats();
@@ -42,7 +44,8 @@ void addTransmittanceCommand(CLI::App& app) {
   addSceneOptions(*command, *options);
   command->add_option("--light", options->light, "Name of the light")->required();
   command->add_option("--points", options->points, "World points: CSV with the header x,y,z")->required();
-  command->add_option("-o", options->output, "CSV to write: x,y,z,lit,transmittance [standard output]");
+  command->add_option("-o", options->output, "CSV to write: x,y,z,lit,transmittance, or x,y,z,lit,r,g,b if "
+                                                   "shadows.transmittance is rgb [standard output]");
   command->final_callback([options] { answer(*options); });
 }
 

@@ -23,8 +23,7 @@ __kernel void buildDepths(DepthParams params, __global ulong* fragments, __globa
     if (walk.mediumCount > 0 && depth > walk.depth)
       stopInSegment(&stop, &ray, &walk, depth, scene CDSM_STOP_ARGS CDSM_VOLUME_ARGS);
     uint facing = nextFacing(&walk);
-    float opacity = scene.objects[surfaceObject(scene, facing)].diffuse.w;
-    if (!isStopped(&stop)) stopAtSurface(&stop, depth, opacity, facing);
+    if (!isStopped(&stop)) stopAtSurface(&stop, depth, &scene.objects[surfaceObject(scene, facing)], facing);
     passFragment(&walk, scene);
   }
   storeStop(&stop, params.firstTexel + (uint)y * (uint)params.view.width + (uint)x, scene, depths);

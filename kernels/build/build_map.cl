@@ -10,18 +10,17 @@ CDSM_INLINE void buildTexel(const BuildParams* params, int x, int y, uint2 range
   LightRay r;
   r.ray = rayThroughPixel(&params->view, x + 0.5f, y + 0.5f);
   r.builder = beginVisibility(writer, scale);
-  r.transmittance = 1.0f;
+  r.transmittance = (Spectrum)(1.0f);
 
   SegmentWalk walk = beginWalk(fragments, range, &params->view, initialObjects, scene);
   beginMarch(&r, &walk, params->tolerance);
-  while (walk.left > 0 && r.transmittance > 0.0f) {
+  while (walk.left > 0 && anyChannel(r.transmittance > 0.0f)) {
     float depth = nextDepth(&walk);
     if (walk.mediumCount > 0 && depth > walk.depth)
       marchSegment(&r, scene, &walk, depth, params->interiorStep CDSM_MARCH_ARGS CDSM_VOLUME_ARGS);
-    float opacity = scene.objects[surfaceObject(scene, nextFacing(&walk))].diffuse.w;
-    if (opacity > 0.0f && r.transmittance > 0.0f) {
-      r.transmittance *= 1.0f - opacity;
-      if (r.transmittance < r.least) r.transmittance = 0.0f;
+    Spectrum through = throughSurface(&scene.objects[surfaceObject(scene, nextFacing(&walk))]);
+    if (anyChannel(through < 1.0f) && anyChannel(r.transmittance > 0.0f)) {
+      r.transmittance = visiblePart(r.transmittance * through, r.least);
       dropAt(&r.builder, depth, r.transmittance);
     }
     passFragment(&walk, scene);

@@ -106,8 +106,8 @@ __kernel void setupSpheres(SetupParams params, ViewData view, __global const Sce
   ScreenSphere s;
   s.sphere = (float4)(center - view.origin.xyz, sphere.w);
   s.outline = s.reach = (float4)(0.0f);
-  float opacity = objects[as_uint(spheres[id].color.w)].diffuse.w;
-  s.facing = CDSM_SPHERE_BIT | (id << 1) | (opacity < 1.0f ? 1u : 0u);
+  uint hides = objects[as_uint(spheres[id].color.w)].hides;
+  s.facing = CDSM_SPHERE_BIT | (id << 1) | (hides ^ 1u);
   s.minDepth = depth - radius;
   bool parallel = dot(view.dirU.xyz, view.dirU.xyz) == 0.0f;
   bool ellipse = parallel || (s.minDepth >= view.nearDepth && depth >= CDSM_ELLIPSE_DEPTH * radius);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fills a shadow volume: transmittance from one light at the voxel centres of one volume [Ropinski 2008, §3.1].
+#include "cache/shadow_voxels.clh"
 #include "common/medium.clh"
 #include CDSM_TECHNIQUE
 #include "shared/frame_data.h"
@@ -30,8 +31,11 @@ __kernel void fillShadowVolume(FillParams params, __global ushort* shadowVoxels,
   uint width = (uint)m->size.x, height = (uint)m->size.y;
   int3 index = (int3)((int)(voxel % width), (int)(voxel / width % height), (int)(voxel / width / height));
   if (!isInterpolated(m, cells, index)) return;
-  float t = lightTransmittancePoint(light, transformPoint(params.worldFromIndex, convert_float3(index)), scene,
-                                    CDSM_TECHNIQUE_ARGS CDSM_VOLUME_ARGS);
-  size_t first = ((size_t)light->firstShadowBlock + m->firstShadowBlock) * CDSM_SHADOW_BLOCK;
-  shadowVoxels[first + voxel] = convert_ushort_sat_rte(t * CDSM_SHADOW_ONE);
+  Spectrum t = lightTransmittancePoint(light, transformPoint(params.worldFromIndex, convert_float3(index)), scene,
+                                       CDSM_TECHNIQUE_ARGS CDSM_VOLUME_ARGS);
+  float channels[CDSM_CHANNELS];
+  splitSpectrum(t, channels);
+  for (int c = 0; c < CDSM_CHANNELS; ++c)
+    shadowVoxels[firstShadowVoxel(light, m->firstShadowBlock, m->size, c) + voxel] =
+        convert_ushort_sat_rte(channels[c] * CDSM_SHADOW_ONE);
 }

@@ -16,6 +16,6 @@ __kernel void gatherNodes(uint texelCount, uint firstNode, __global const uint* 
     uint place = i % CDSM_CHUNK_NODES;
     if (i > 0 && place == 0) chunk = chunkNext[chunk];
     uint from = chunk * CDSM_CHUNK_NODES + place;
-    storeNode(nodePool, firstNode + start + i, (Node)(chunkDepths[from], chunkValues[from]));
+    storeNode(nodePool, firstNode + start + i, (Node)(chunkDepths[from], loadSpectrum(chunkValues, from)));
   }
 }

@@ -94,10 +94,11 @@ float2 pixelInTexels(__global const MapData* map, uint side, const MapPoint* at,
   return min(size, CDSM_WIDEST_PIXEL);
 }
 
+/// Of all colours of light together.
 float probeTransmittance(__global const MapData* map, uint side, const SeenPoint* p, float3 lookup,
                          CDSM_TECHNIQUE_PARAMS) {
-  return p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, CDSM_TECHNIQUE_ARGS)
-                    : mapTransmittance(map, side, lookup, CDSM_TECHNIQUE_ARGS);
+  return meanOf(p->surface ? mapTransmittanceSurface(map, side, &p->at, lookup, CDSM_TECHNIQUE_ARGS)
+                           : mapTransmittance(map, side, lookup, CDSM_TECHNIQUE_ARGS));
 }
 
 /// Transmittances that differ by less are taken for the same.

@@ -19,6 +19,6 @@ __kernel void copyMapNodes(uint index, MemoryParams memory, __global const uint*
   TexelNodes from = texelNodes(&maps[index], texel % width, texel / width, CDSM_MEMORY_READ_ARGS);
   for (uint i = 0; i < from.count; ++i) {
     Node node = readNode(from.first, i, CDSM_MEMORY_READ_ARGS);
-    nodes[starts[texel] + i] = (Node)(depthOfStored(scale, node.x), node.y);
+    nodes[starts[texel] + i] = (Node)(depthOfStored(scale, node.x), nodeTransmittance(node));
   }
 }

@@ -45,9 +45,7 @@ CDSM_SIZE(MapData, 208);
 /// Sides of an omni light: 0 .. 5 as +x, -x, +y, -y, +z, -z.
 #define CDSM_FACE_ANY 6u
 
-/// A node of a visibility function: x: depth along the light's axis, y: transmittance there. Linear in between. In memory
-/// strategies the depth is as the format of nodes stores it: (depth - x) * y of the tile's DepthScale.
-typedef float2 Node;
+/// In memory strategies the depth of a node is as the format of nodes stores it: (depth - x) * y of the tile's scale.
 typedef float2 DepthScale;
 
 /// Sizes of the memory strategy in use.

@@ -16,6 +16,7 @@ typedef struct ObjectData {
   Affine worldFromObject;
   float4 diffuse;        ///< rgb, w: opacity of one crossing, 0..1; 0: no surface is seen
   float4 specular;       ///< rgb, w: shininess
+  float4 transmission;   ///< rgb: of the light's colour where the surface interacts; if transmittance is rgb
   uint firstMedium;      ///< into the list of medium indices
   uint mediumCount;
   uint hasNormals;       ///< 0 | 1: the vertices of its triangles have normals
@@ -23,9 +24,9 @@ typedef struct ObjectData {
   uint casts;            ///< 0 | 1: its surface and interior, or the volume of which it is the box, attenuate light
   uint receives;         ///< 0 | 1: the surface is shadowed
   uint hasColors;        ///< 0 | 1: its spheres have colours of their own, in place of diffuse
-  uint padding;
+  uint hides;            ///< 0 | 1: nothing gets past a crossing of its surface
 } ObjectData;
-CDSM_SIZE(ObjectData, 112);
+CDSM_SIZE(ObjectData, 128);
 
 /// A sphere in the space of its object, whose matrix scales all axes alike.
 typedef struct SceneSphere {
@@ -39,6 +40,7 @@ typedef struct MediumData {
   Affine indexFromWorld;  ///< of the volume: voxel centres are integers
   float4 specular;        ///< rgb, w: shininess
   float4 interior;        ///< constant medium: rgb, w: extinction in 1 / world length
+  float4 attenuation;     ///< constant medium: of red, green and blue light on its way; if transmittance is rgb
   int4 size;              ///< voxels along x, y, z; w: volume slot, -1: constant medium
   int4 cells;             ///< macrocells along x, y, z; w: offset of its first macrocell
   float lutScale;         ///< transfer function: lut coordinate = value * lutScale + lutBias
@@ -52,7 +54,7 @@ typedef struct MediumData {
   uint firstShadowBlock;  ///< cache "volume": of this volume among those of a light, in CDSM_SHADOW_BLOCK voxels
   uint padding0, padding1, padding2;
 } MediumData;
-CDSM_SIZE(MediumData, 160);
+CDSM_SIZE(MediumData, 176);
 
 /// Shadow volumes start at multiples of so many voxels, which lets 32 bits say where.
 #define CDSM_SHADOW_BLOCK 64

@@ -42,6 +42,7 @@ CHOICES = {
     "CDSM_MARCH": files_with("build", "void beginMarch("),
     "CDSM_STOP": files_with("build", "void beginStop("),
     "CDSM_PRIMITIVE": files_with("build", "Coverage coverageOf("),
+    "CDSM_SPECTRUM": files_with("spectrum", "Spectrum;"),
     "CDSM_SPHERES": ["0", "1"],
     "CDSM_MEMORY": files_with("memory", "texelNodes(") + ['"../tests/strategies/counted.clh"'],
     "CDSM_NODE_FORMAT": files_with("memory", "storeNode(__global"),
@@ -99,7 +100,7 @@ def variants(entry, chosen=None):
         text += (KERNELS / path).read_text()
     wanted = [name for name in CHOICES
               if name not in chosen and (name in seen or re.search(rf"\b{re.escape(name)}\b(?!\.)", text))]
-    includes = [name for name in wanted if name in ("CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_STOP",
+    includes = [name for name in wanted if name in ("CDSM_SPECTRUM", "CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_STOP",
                                                     "CDSM_PRIMITIVE", "CDSM_MEMORY", "CDSM_NODE_FORMAT")]
     if not wanted:
         yield chosen

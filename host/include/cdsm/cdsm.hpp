@@ -56,7 +56,8 @@ struct Image {
 /// Of the light, at a point.
 struct Transmittance {
   std::uint8_t lit;     ///< 0: outside of a spot light's cone
-  float transmittance;  ///< 0 where not lit
+  float transmittance;  ///< 0 where not lit; the mean of the channels where shadows.transmittance is rgb
+  glm::vec3 color;      ///< of red, green and blue light; all alike where shadows.transmittance is grey
 };
 
 /// Pictures of what is going on inside, as the camera sees it. Layers and steps do not depend on shadows; the others
@@ -106,10 +107,14 @@ class CDSM_API Engine {
   /// call was given, and compare nothing.
   void prepare(const Scene& scene);
 
-  /// Transmittances of `count` points into `values`, -1 where the point is not lit. Both arrays are the caller's; where
-  /// the device shares the host's memory they are used in place. Throws Error for a point that is not finite, and if no
+  /// Transmittances of `count` points into `values`, channels() for each, -1 where the point is not lit. Both arrays are
+  /// the caller's; where the device shares the host's memory they are used in place. Throws Error for a point that is not finite, and if no
   /// scene has been given or the last call failed: then prepare() comes first.
   void transmittance(const std::string& light, const glm::vec3* points, std::size_t count, float* values);
+
+  /// Values of a point in that array: 1, or red, green and blue where the scene's shadows.transmittance is rgb. Throws
+  /// Error if no scene is ready, as transmittance() does.
+  std::size_t channels() const;
 
   /// Lets go of the scene: its device memory, and all that was kept of its data.
   void drop();

@@ -36,6 +36,9 @@ struct LightMap {
   glm::mat4 cameraFromWorld{1.0f};
   std::vector<std::uint32_t> firstNode;  ///< of texel y * width + x from the top left; one more at the end
   std::vector<MapNode> nodes;
+  /// Of each node the transmittances of red, green and blue light, of which MapNode has the mean; empty where
+  /// shadows.transmittance is grey.
+  std::vector<glm::vec3> colors;
 };
 
 }  // namespace cdsm

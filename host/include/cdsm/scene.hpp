@@ -45,6 +45,7 @@ struct ShadowSettings {
   std::string toleranceMode = "samples";  ///< samples | everywhere: where V' is within the tolerance
   std::string filter = "bilinear";        ///< bilinear | nearest
   std::string rays = "exact";             ///< shadow-rays: exact | opaque
+  std::string transmittance = "grey";     ///< grey | rgb: whether light is coloured by what it gets through
   float threshold = 0.5f;   ///< techniques of all or nothing: opacity above which all light is stopped, in [0, 1)
   int pcf = 1;              ///< shadow-map: texels of the filter around the one looked up, in [0, 16]
   int samples = 13;         ///< stochastic: texels averaged per lookup, 7, 13 or 21
@@ -83,6 +84,8 @@ struct Material {
   glm::vec3 specular{0.0f};
   float shininess = 1.0f;
   float opacity = 1.0f;  ///< of one crossing of the surface, in [0, 1]
+  /// What of the light's colour gets through where the surface interacts, in [0, 1]; if shadows.transmittance is rgb.
+  glm::vec3 transmission{0.0f};
 };
 
 /// What an object and shadows have to do with each other.
@@ -106,6 +109,7 @@ struct Mesh {
   glm::mat4 worldFromObject{1.0f};
   float interiorExtinction = 0.0f;  ///< 1 / world length; > 0 needs a closed mesh
   glm::vec3 interiorColor{1.0f};
+  glm::vec3 interiorTransmission{0.0f};  ///< as Material::transmission, of the interior
   ShadowRole shadow;
 };
 
@@ -165,6 +169,7 @@ struct TransferFunction {
   std::vector<OpacityPoint> opacity;
   std::vector<OpacityPoint> shadowOpacity;  ///< in place of `opacity` where light is attenuated; empty: the same
   std::vector<ColorPoint> color;
+  std::vector<ColorPoint> transmission;  ///< as Material::transmission, by value; empty: none
   float unitDistance = 1.0f;  ///< world length for which the opacities hold, > 0
 
   const std::vector<OpacityPoint>& towardsLights() const { return shadowOpacity.empty() ? opacity : shadowOpacity; }

@@ -7,7 +7,6 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
-#include "build/transfer_table.hpp"
 #include "build/unit_cube.hpp"
 #include "scene/closed_mesh.hpp"
 #include "scene/objects.hpp"
@@ -59,6 +58,13 @@ float interiorStepOf(const ShadowSettings& shadows, float extinction, float diag
   return extinction > 0.0f ? std::clamp(opticalStep / extinction, most / float(CDSM_MOST_STEPS), step) : step;
 }
 
+void setMaterial(shared::ObjectData& object, const Material& material) {
+  object.diffuse = {material.diffuse, material.opacity};
+  object.specular = {material.specular, material.shininess};
+  object.transmission = {material.transmission, 0.0f};
+  object.hides = material.opacity >= 1.0f;
+}
+
 /// Joined with the range before it if they are neighbours.
 void addRange(std::vector<PrimitiveRange>& ranges, const PrimitiveRange& range) {
   if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first)
@@ -78,6 +84,7 @@ void DeviceScene::clear() {
   curves_.clear();
   extinctionLut_.clear();
   lightLut_.clear();
+  eitherLut_.clear();
   colorLut_.clear();
   cellCount_ = 0;
   grids_.clear();
@@ -104,8 +111,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   medium.firstShadowBlock = shared::uint(shadowBlocks_);
   grids_.push_back({affineOf(worldFromIndex), size.x * size.y * size.z, shared::uint(hostMedia_.size())});
   shadowBlocks_ += (std::size_t(size.x) * size.y * size.z + CDSM_SHADOW_BLOCK - 1) / CDSM_SHADOW_BLOCK;
-  for (const shared::float4& entry : table.entries) extinctionLut_.push_back(entry.w);
-  lightLut_.insert(lightLut_.end(), table.towardsLights.begin(), table.towardsLights.end());
+  addTables(table);
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());
   cellCount_ += std::size_t(cells.x) * cells.y * cells.z;
   mediumLists_.push_back(shared::uint(hostMedia_.size()));
@@ -114,13 +120,25 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   mediumOwner_.push_back(boxObject(scene, volume));
 }
 
+void DeviceScene::addTables(const TransferTable& table) {
+  const bool colored = spectrum().channels > 1;
+  for (std::size_t i = 0; i < table.entries.size(); ++i) {
+    const shared::float4& light = table.towardsLights[i];
+    extinctionLut_.push_back(table.entries[i].w);
+    eitherLut_.push_back(std::max(table.entries[i].w, light.w));
+    if (colored)
+      lightLut_.insert(lightLut_.end(), {light.x, light.y, light.z, 0.0f});
+    else
+      lightLut_.push_back(light.w);
+  }
+}
+
 void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
   const Mesh& mesh = scene.meshes[index];
   const Material& material = scene.materials[mesh.material];
   shared::ObjectData object{};
   object.worldFromObject = affineOf(mesh.worldFromObject);
-  object.diffuse = {material.diffuse, material.opacity};
-  object.specular = {material.specular, material.shininess};
+  setMaterial(object, material);
   object.firstMedium = shared::uint(mediumLists_.size());
   object.hasNormals = !mesh.data->normals.empty();
   object.casts = mesh.shadow.casts;
@@ -128,6 +146,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
   if (mesh.interiorExtinction > 0.0f) {
     shared::MediumData medium{};
     medium.interior = {mesh.interiorColor, mesh.interiorExtinction};
+    medium.attenuation = {mesh.interiorExtinction * (1.0f - mesh.interiorTransmission), 0.0f};
     medium.size.w = -1;
     medium.boxObject = ~0u;
     medium.receives = mesh.shadow.receives;
@@ -168,8 +187,7 @@ void DeviceScene::addSpheres(const Scene& scene, const Spheres& spheres) {
   const Material& material = scene.materials[std::size_t(spheres.material)];
   shared::ObjectData object{};
   object.worldFromObject = affineOf(spheres.worldFromObject);
-  object.diffuse = {material.diffuse, material.opacity};
-  object.specular = {material.specular, material.shininess};
+  setMaterial(object, material);
   object.casts = spheres.shadow.casts;
   object.receives = spheres.shadow.receives;
   object.hasColors = !spheres.data->colors.empty();
@@ -191,9 +209,7 @@ void DeviceScene::update(const Scene& scene) {
   geometry_.update(objectTriangles_);
   spheres_.update(scene.spheres, scene::firstSpheres(scene));
   upload();
-  std::vector<float> either = extinctionLut_;  // a cell is empty if it is so on the way to the camera and to lights
-  for (std::size_t i = 0; i < either.size(); ++i) either[i] = std::max(either[i], lightLut_[i]);
-  cells_.run(slots_, hostMedia_, either, curves_);
+  cells_.run(slots_, hostMedia_, eitherLut_, curves_);  // empty on the way to the camera and to lights
   requireSteps();
 }
 
@@ -255,6 +271,12 @@ ObjectSet DeviceScene::makeSet(ObjectSet former, const std::vector<shared::Objec
   return set;
 }
 
+bool DeviceScene::hidesLight(const shared::ObjectData& object) const {
+  const shared::float4& t = object.transmission;
+  const bool colored = spectrum().channels > 1 && (t.x > 0.0f || t.y > 0.0f || t.z > 0.0f);
+  return object.diffuse.w >= 1.0f && !colored;
+}
+
 const ObjectSet& DeviceScene::castingObjects(const std::vector<unsigned>& casters) const {
   std::vector<bool> casts(hostObjects_.size(), false), encloses(hostObjects_.size(), false);
   scene::Bounds bounds;
@@ -269,6 +291,7 @@ const ObjectSet& DeviceScene::castingObjects(const std::vector<unsigned>& caster
   for (std::size_t i = 0; i < objects.size(); ++i) {
     shared::ObjectData& object = objects[i];
     if (!casts[i]) object.diffuse.w = 0.0f;
+    object.hides = casts[i] && hidesLight(object);
     const auto first = shared::uint(lists.size());
     for (unsigned k = 0; k < object.mediumCount; ++k) {
       const std::uint32_t medium = mediumLists_[object.firstMedium + k];
@@ -323,6 +346,19 @@ std::vector<std::uint32_t> DeviceScene::objectsAround(const std::vector<std::uin
     around.insert(around.end(), std::size_t(times), i);
   }
   return around;
+}
+
+std::vector<ExtinctionCurve> DeviceScene::curves() const {
+  if (spectrum().channels == 1) return curves_;
+  std::vector<ExtinctionCurve> curves;
+  for (const unsigned owner : mediumOwner_) {
+    const scene::ObjectPlace place = scene::placeOf(scene_, owner);
+    for (int channel = 0; channel < int(spectrum().channels); ++channel)
+      curves.push_back(place.kind == scene::ObjectKind::Volume
+                           ? makeAttenuationCurve(scene_.volumes[place.index].transfer, channel)
+                           : ExtinctionCurve());
+  }
+  return curves;
 }
 
 std::vector<std::uint32_t> DeviceScene::objectsOfMedia() const {

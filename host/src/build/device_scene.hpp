@@ -13,9 +13,11 @@
 #include "build/macrocell_pass.hpp"
 #include "build/object_set.hpp"
 #include "build/sphere_buffer.hpp"
+#include "build/transfer_table.hpp"
 #include "build/volume_slots.hpp"
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
+#include "memory/spectrum.hpp"
 #include "scene/view.hpp"
 #include "shared/scene_data.h"
 
@@ -40,6 +42,8 @@ class DeviceScene {
   const Geometry& geometry() const { return geometry_; }
   const device::Buffer<shared::SceneSphere>& spheres() const { return spheres_.spheres(); }
   bool hasSpheres() const { return !scene_.spheres.empty(); }
+  /// What is followed of light.
+  const memory::Spectrum& spectrum() const { return memory::spectrumNamed(scene_.shadows.transmittance); }
 
   /// All objects, as the camera and points to be answered see them.
   const ObjectSet& allObjects() const { return all_; }
@@ -70,9 +74,9 @@ class DeviceScene {
   /// Blocks of CDSM_SHADOW_BLOCK voxels that hold a value for each voxel of each volume.
   std::size_t shadowBlocks() const { return shadowBlocks_; }
 
-  /// Per medium, where light is attenuated.
-  const std::vector<ExtinctionCurve>& curves() const { return curves_; }
-  /// The same as tables of all volumes, see MediumData::lutOffset.
+  /// Per medium and channel, where light is attenuated.
+  std::vector<ExtinctionCurve> curves() const;
+  /// The same as tables of all volumes, a Spectrum for each entry, see MediumData::lutOffset.
   const device::Buffer<float>& lightExtinctions() const { return lightExtinctions_; }
 
   const scene::Bounds& bounds() const { return bounds_; }
@@ -83,6 +87,9 @@ class DeviceScene {
   void addBox(const Scene& scene, std::size_t index);
   void addSpheres(const Scene& scene, const Spheres& spheres);
   void addVolumeMedium(const Scene& scene, const Volume& volume);
+  void addTables(const TransferTable& table);
+  /// Whether no light gets past a crossing of its surface, of none of its colours.
+  bool hidesLight(const shared::ObjectData& object) const;
   void updateBounds();
   void upload();
   /// `former`: of the same objects in the scene before, whose buffers it takes over.
@@ -114,8 +121,9 @@ class DeviceScene {
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
   std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
-  std::vector<ExtinctionCurve> curves_;
+  std::vector<ExtinctionCurve> curves_;          ///< of grey light
   std::vector<float> extinctionLut_, lightLut_;  ///< as the camera sees it, and where light is attenuated
+  std::vector<float> eitherLut_;                 ///< the larger of both
   std::vector<shared::float4> colorLut_;
   std::size_t cellCount_ = 0;
   std::vector<VolumeGrid> grids_;

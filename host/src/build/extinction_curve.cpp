@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "build/transfer_table.hpp"
 
@@ -11,17 +13,32 @@ namespace cdsm::build {
 namespace {
 
 using Point = TransferFunction::OpacityPoint;
+using Colors = std::vector<TransferFunction::ColorPoint>;
 
 constexpr float kRelativeError = 2e-4f;
 constexpr float kOpaque = 0.9999f;  ///< opacities are capped here [INTERFACE, 4.2]
 constexpr int kMostHalvings = 20;
 
-/// Opacity is linear between two points, extinction is not: halves until it is nearly so. Adds all corners but the
+/// Opacity at a value, and the part of the light absorbed where it interacts; both linear up to the next one.
+struct Corner {
+  float value, opacity, absorbed;
+};
+
+Corner between(const Corner& from, const Corner& to, float part) {
+  const auto mix = [part](float a, float b) { return (1.0f - part) * a + part * b; };
+  return {mix(from.value, to.value), mix(from.opacity, to.opacity), mix(from.absorbed, to.absorbed)};
+}
+
+float attenuationOf(const Corner& corner, float unitDistance) {
+  return corner.absorbed * extinctionOf(corner.opacity, unitDistance);
+}
+
+/// Opacity is linear between two corners, extinction is not: halves until it is nearly so. Adds all corners but the
 /// first.
-void addEdge(ExtinctionCurve& curve, const Point& from, const Point& to, float unitDistance, int halvings) {
-  const Point middle{0.5f * from.value + 0.5f * to.value, 0.5f * (from.opacity + to.opacity)};
-  const float first = extinctionOf(from.opacity, unitDistance), last = extinctionOf(to.opacity, unitDistance);
-  const float bend = std::abs(extinctionOf(middle.opacity, unitDistance) - 0.5f * (first + last));
+void addEdge(ExtinctionCurve& curve, const Corner& from, const Corner& to, float unitDistance, int halvings) {
+  const Corner middle = between(from, to, 0.5f);
+  const float first = attenuationOf(from, unitDistance), last = attenuationOf(to, unitDistance);
+  const float bend = std::abs(attenuationOf(middle, unitDistance) - 0.5f * (first + last));
   const bool apart = middle.value > from.value && middle.value < to.value;
   if (!apart || halvings == 0 || bend <= kRelativeError * std::max(first, last)) {
     curve.push_back({to.value, last});
@@ -31,27 +48,71 @@ void addEdge(ExtinctionCurve& curve, const Point& from, const Point& to, float u
   addEdge(curve, middle, to, unitDistance, halvings - 1);
 }
 
-/// The points, with one more wherever an edge gets to the cap.
-std::vector<Point> cappedPoints(const std::vector<Point>& points) {
-  std::vector<Point> capped;
-  for (const Point& point : points) {
-    if (!capped.empty() && (capped.back().opacity > kOpaque) != (point.opacity > kOpaque)) {
-      const Point& before = capped.back();
-      const float share = (kOpaque - before.opacity) / (point.opacity - before.opacity);
-      capped.push_back({before.value + share * (point.value - before.value), kOpaque});
+/// The corners, with one more wherever an edge gets to the cap.
+std::vector<Corner> cappedCorners(const std::vector<Corner>& corners) {
+  std::vector<Corner> capped;
+  for (const Corner& corner : corners) {
+    if (!capped.empty() && (capped.back().opacity > kOpaque) != (corner.opacity > kOpaque)) {
+      const Corner before = capped.back();
+      capped.push_back(between(before, corner, (kOpaque - before.opacity) / (corner.opacity - before.opacity)));
+      capped.back().opacity = kOpaque;
     }
-    capped.push_back(point);
+    capped.push_back(corner);
   }
   return capped;
+}
+
+ExtinctionCurve curveOf(const std::vector<Corner>& corners, float unitDistance) {
+  const std::vector<Corner> capped = cappedCorners(corners);
+  ExtinctionCurve curve{{capped[0].value, attenuationOf(capped[0], unitDistance)}};
+  for (std::size_t i = 1; i < capped.size(); ++i) addEdge(curve, capped[i - 1], capped[i], unitDistance, kMostHalvings);
+  return curve;
+}
+
+/// The points on both sides of the one where a function of points gets to `value`: from below, or (`behind`) from above.
+template <class Made>
+std::pair<Made, Made> around(const std::vector<Made>& points, float value, bool behind) {
+  const auto next = std::find_if(points.begin(), points.end(), [=](const Made& point) {
+    return behind ? point.value > value : point.value >= value;
+  });
+  if (next == points.end()) return {points.back(), points.back()};
+  return {next == points.begin() ? *next : *(next - 1), *next};
+}
+
+/// How far `value` is on the way between two points.
+template <class Made>
+float partOf(const std::pair<Made, Made>& ends, float value) {
+  const float span = ends.second.value - ends.first.value;
+  return span > 0.0f ? std::clamp((value - ends.first.value) / span, 0.0f, 1.0f) : 0.0f;
+}
+
+Corner cornerAt(const std::vector<Point>& opacity, const Colors& transmission, int channel, float value, bool behind) {
+  const auto opacities = around(opacity, value, behind);
+  const auto colors = around(transmission, value, behind);
+  const auto mix = [](float a, float b, float part) { return (1.0f - part) * a + part * b; };
+  return {value, mix(opacities.first.opacity, opacities.second.opacity, partOf(opacities, value)),
+          1.0f - mix(colors.first.color[channel], colors.second.color[channel], partOf(colors, value))};
 }
 
 }  // namespace
 
 ExtinctionCurve makeExtinctionCurve(const std::vector<Point>& opacity, float unitDistance) {
-  const std::vector<Point> points = cappedPoints(opacity);
-  ExtinctionCurve curve{{points[0].value, extinctionOf(points[0].opacity, unitDistance)}};
-  for (std::size_t i = 1; i < points.size(); ++i) addEdge(curve, points[i - 1], points[i], unitDistance, kMostHalvings);
-  return curve;
+  std::vector<Corner> corners;
+  for (const Point& point : opacity) corners.push_back({point.value, point.opacity, 1.0f});
+  return curveOf(corners, unitDistance);
+}
+
+ExtinctionCurve makeAttenuationCurve(const TransferFunction& transfer, int channel) {
+  const std::vector<Point>& opacity = transfer.towardsLights();
+  if (transfer.transmission.empty()) return makeExtinctionCurve(opacity, transfer.unitDistance);
+  std::set<float> values;
+  for (const Point& point : opacity) values.insert(point.value);
+  for (const TransferFunction::ColorPoint& point : transfer.transmission) values.insert(point.value);
+  std::vector<Corner> corners;
+  for (const float value : values)
+    for (const bool behind : {false, true})
+      corners.push_back(cornerAt(opacity, transfer.transmission, channel, value, behind));
+  return curveOf(corners, transfer.unitDistance);
 }
 
 ExtinctionCurves::ExtinctionCurves(device::Device& device, const std::vector<ExtinctionCurve>& curves) {

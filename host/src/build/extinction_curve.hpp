@@ -20,6 +20,9 @@ using ExtinctionCurve = std::vector<shared::float2>;
 /// corners.
 ExtinctionCurve makeExtinctionCurve(const std::vector<TransferFunction::OpacityPoint>& opacity, float unitDistance);
 
+/// The same of what a channel of light meets, 0 red, 1 green, 2 blue: what the transmission lets pass is not absorbed.
+ExtinctionCurve makeAttenuationCurve(const TransferFunction& transfer, int channel);
+
 /// The curves of a scene's media on the device, in their order; of constant media they are empty.
 class ExtinctionCurves {
  public:
@@ -29,7 +32,7 @@ class ExtinctionCurves {
   device::ArgumentList arguments() const { return {ranges_.cl(), corners_.cl()}; }
 
  private:
-  device::Buffer<shared::uint2> ranges_;  ///< per medium: its corners [x, y)
+  device::Buffer<shared::uint2> ranges_;  ///< per curve: its corners [x, y)
   device::Buffer<shared::float2> corners_;
 };
 

@@ -45,7 +45,8 @@ bool startsWithStep(const std::vector<Point>& points, float low) {
 
 /// Intervals of the table: a multiple of the span where all points have whole values, so that none falls in between.
 int intervals(const TransferFunction& transfer, float span) {
-  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.shadowOpacity) || !wholeValues(transfer.color))
+  if (!wholeValues(transfer.opacity) || !wholeValues(transfer.shadowOpacity) || !wholeValues(transfer.color) ||
+      !wholeValues(transfer.transmission))
     return kMostEntries;
   if (span > kMostWhole) return kMostWhole;
   const int whole = int(span);
@@ -64,14 +65,16 @@ TransferTable makeTransferTable(const TransferFunction& given) {
   transfer.opacity = withoutConstantEnds(given.opacity, &TransferFunction::OpacityPoint::opacity);
   transfer.shadowOpacity = withoutConstantEnds(given.towardsLights(), &TransferFunction::OpacityPoint::opacity);
   transfer.color = withoutConstantEnds(given.color, &TransferFunction::ColorPoint::color);
-  float low =
-      std::min({transfer.opacity.front().value, transfer.shadowOpacity.front().value, transfer.color.front().value});
-  const float high =
-      std::max({transfer.opacity.back().value, transfer.shadowOpacity.back().value, transfer.color.back().value});
+  if (given.transmission.empty()) transfer.transmission = {{transfer.color.front().value, glm::vec3(0.0f)}};
+  transfer.transmission = withoutConstantEnds(transfer.transmission, &TransferFunction::ColorPoint::color);
+  float low = std::min({transfer.opacity.front().value, transfer.shadowOpacity.front().value,
+                        transfer.color.front().value, transfer.transmission.front().value});
+  const float high = std::max({transfer.opacity.back().value, transfer.shadowOpacity.back().value,
+                               transfer.color.back().value, transfer.transmission.back().value});
   int count = high > low ? intervals(transfer, high - low) : 1;
   const float width = high > low ? (high - low) / float(count) : std::max(1e-3f, 1e-5f * std::abs(low));
   const bool step = startsWithStep(transfer.opacity, low) || startsWithStep(transfer.shadowOpacity, low) ||
-                    startsWithStep(transfer.color, low);
+                    startsWithStep(transfer.color, low) || startsWithStep(transfer.transmission, low);
   if (step) low -= width;  // one entry in front of it
   if (step && high > low + width) ++count;
   TransferTable table;
@@ -84,7 +87,9 @@ TransferTable makeTransferTable(const TransferFunction& given) {
     const float value = i == count ? high : low + (high - low) * float(i) / float(count);
     const glm::vec3 color = interpolate(transfer.color, value, &TransferFunction::ColorPoint::color);
     table.entries.emplace_back(color, extinctionAt(transfer.opacity, value));
-    table.towardsLights.push_back(extinctionAt(transfer.shadowOpacity, value));
+    const float extinction = extinctionAt(transfer.shadowOpacity, value);
+    const glm::vec3 absorbed = 1.0f - interpolate(transfer.transmission, value, &TransferFunction::ColorPoint::color);
+    table.towardsLights.emplace_back(absorbed * extinction, extinction);
   }
   return table;
 }

@@ -15,7 +15,7 @@ struct TransferTable {
   float scale = 0.0f;
   float bias = 0.0f;
   std::vector<shared::float4> entries;  ///< rgb and extinction (1 / world length); at least two
-  std::vector<float> towardsLights;     ///< extinction where light is attenuated, for each entry
+  std::vector<shared::float4> towardsLights;  ///< for each entry: extinction that red, green, blue and grey light meet
 };
 
 /// Cap of opacities that become extinctions [INTERFACE, 4.2].

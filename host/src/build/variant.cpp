@@ -13,7 +13,8 @@ device::ProgramSource sceneSource(const device::Device& device, const DeviceScen
                                   Defines parts) {
   // CPUs want vectors as wide as their registers, GPUs few registers per work item
   parts.emplace_back("CDSM_BATCH", device.isCpu() ? "8" : "4");
-  parts.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device)));
+  parts.push_back(memory::spectrumDefine(scene.spectrum()));
+  parts.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device, scene.spectrum())));
   parts.emplace_back("CDSM_SPHERES", scene.hasSpheres() ? "1" : "0");
   if (device.fetchImages()) parts.emplace_back("CDSM_FETCH_IMAGE", "1");
   return {entry, parts, {{"generated/volume_slots.clh", scene.slots().kernelFile()}}};

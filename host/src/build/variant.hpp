@@ -22,7 +22,7 @@ device::ProgramSource sceneSource(const device::Device& device, const DeviceScen
                                   Defines parts);
 
 /// A kernel file of the scene's variant: the types of its volumes, how the device fetches, how wide its batches are,
-/// whether it has spheres. `parts`: memoryDefines(), CDSM_TECHNIQUE, CDSM_MARCH.
+/// whether it has spheres, what it follows of light. `parts`: memoryDefines(), CDSM_TECHNIQUE, CDSM_MARCH.
 const cl::Program& sceneProgram(device::Device& device, const DeviceScene& scene, const std::string& entry,
                                 Defines parts);
 

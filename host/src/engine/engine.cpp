@@ -39,6 +39,14 @@ void checkPoints(const glm::vec3* points, std::size_t count, const float* values
   throw Error("point " + std::to_string(bad) + " is not finite, must be numbers");
 }
 
+/// From the values of a point.
+Transmittance resultOf(const float* values, std::size_t channels) {
+  const glm::vec3 color(values[0], values[channels / 2], values[channels - 1]);
+  const glm::vec3 passed = glm::max(color, 0.0f);
+  const float mean = channels == 1 ? passed.r : (passed.r + passed.g + passed.b) / 3.0f;
+  return {std::uint8_t(color.r >= 0.0f), mean, passed};
+}
+
 }  // namespace
 
 std::vector<DeviceDescription> listDevices() { return device::Device::list(); }
@@ -92,12 +100,12 @@ void Engine::transmittance(const std::string& light, const glm::vec3* points, st
 std::vector<Transmittance> Engine::transmittance(const Scene& scene, const std::string& light,
                                                  const std::vector<glm::vec3>& points) {
   impl().frame.check(scene);
-  std::vector<float> values(points.size());
+  const std::size_t channels = engine::channelsOf(scene);
+  std::vector<float> values(channels * points.size());
   checkPoints(points.data(), points.size(), values.data());
   impl().frame.query(scene, numberOf(scene, light), points.data(), points.size(), values.data());
-  std::vector<Transmittance> results(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    results[i] = {std::uint8_t(values[i] >= 0.0f), std::max(values[i], 0.0f)};
+  std::vector<Transmittance> results(points.size());
+  for (std::size_t i = 0; i < results.size(); ++i) results[i] = resultOf(&values[channels * i], channels);
   return results;
 }
 
@@ -105,6 +113,8 @@ std::vector<LightMap> Engine::lightMaps(const Scene& scene, const std::string& l
   impl().frame.check(scene);
   return impl().frame.lightMaps(scene, numberOf(scene, light));
 }
+
+std::size_t Engine::channels() const { return engine::channelsOf(impl().frame.readyScene()); }
 
 void Engine::drop() { impl().frame.drop(); }
 

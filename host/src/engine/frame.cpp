@@ -96,7 +96,8 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   const bool technique = before && before->shadows.technique == scene.shadows.technique &&
                          before->shadows.memory == scene.shadows.memory &&
                          before->shadows.maxNodes == scene.shadows.maxNodes &&
-                         before->shadows.nodeFormat == scene.shadows.nodeFormat;
+                         before->shadows.nodeFormat == scene.shadows.nodeFormat &&
+                         before->shadows.transmittance == scene.shadows.transmittance;
   const bool cache = before && before->shadows.cache == scene.shadows.cache;
   if (!objects || !technique || !cache) query_.forgetKernel();
   if (!technique) {
@@ -133,7 +134,7 @@ void FrameState::uploadLights(const Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     lights.push_back(cluster::lightData(scene.lights[i], deviceScene_.bounds()));
     technique_->describeLight(i, lights.back());
-    lights.back().firstShadowBlock = shared::uint(i * deviceScene_.shadowBlocks());
+    lights.back().firstShadowBlock = shared::uint(i * deviceScene_.shadowBlocks() * channelsOf(scene));
     lights.back().mediumCount = shared::uint(deviceScene_.mediumCount());
   }
   lights_.follow(*device_, lights, "lights");

@@ -34,6 +34,8 @@ struct Lookup {
 /// Number of the light of that name. Throws Error that lists those there are.
 std::size_t lightNumber(const std::vector<std::string>& lights, const std::string& light);
 std::vector<std::string> lightNames(const Scene& scene);
+/// Values of a point's transmittance.
+std::size_t channelsOf(const Scene& scene);
 
 /// Everything behind Engine: the device, what is on it, and what it was made for.
 class FrameState {
@@ -53,7 +55,7 @@ class FrameState {
   void prepareQueries(const Scene& scene);
   /// Throws Error if none is ready.
   const Scene& readyScene() const;
-  /// Both arrays have `count` elements; values: -1 where not lit.
+  /// values: channelsOf() the scene for each of the `count` points, -1 where not lit.
   void query(std::size_t light, const glm::vec3* points, std::size_t count, float* values);
   /// The same for a scene that may be another one.
   void query(const Scene& scene, std::size_t light, const glm::vec3* points, std::size_t count, float* values);

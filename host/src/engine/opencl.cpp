@@ -59,7 +59,8 @@ void transmittance(Engine& engine, const std::string& light, const Points& point
   device::Device& device = frame.device();
   const std::size_t number = engine::lightNumber(engine::lightNames(frame.readyScene()), light);
   const Floats coordinates = adoptFloats(device, points.buffer, coordinatesOf(points), "points");
-  const Floats results = adoptFloats(device, values, points.count, "transmittances");
+  const std::size_t channels = engine::channelsOf(frame.readyScene());
+  const Floats results = adoptFloats(device, values, channels * points.count, "transmittances");
   frame.query(number, {coordinates, points.count, points.stride}, results, order.after, order.done);
 }
 

@@ -20,6 +20,8 @@ std::vector<std::string> lightNames(const Scene& scene) {
   return names;
 }
 
+std::size_t channelsOf(const Scene& scene) { return memory::spectrumNamed(scene.shadows.transmittance).channels; }
+
 void FrameState::prepareQueries(const Scene& scene) {
   const device::HostStep traced = step("prepare queries");
   beginStats();

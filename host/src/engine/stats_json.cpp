@@ -95,6 +95,7 @@ Json settingsJson(const ShadowSettings& shadows) {
           {"tolerance_mode", shadows.toleranceMode},
           {"filter", shadows.filter},
           {"rays", shadows.rays},
+          {"transmittance", shadows.transmittance},
           {"threshold", fewestDigits(shadows.threshold)},
           {"pcf", shadows.pcf},
           {"samples", shadows.samples},

@@ -19,7 +19,9 @@ namespace cdsm::io {
 
 namespace {
 
-enum Channel { kAlpha, kZ, kZBack };
+/// Depths first, then alphas: of the light as a whole, and of its colours where they differ.
+const std::vector<std::string> kChannels{"Z", "ZBack", "A", "AR", "AG", "AB"};
+enum Channel { kZ, kZBack, kAlpha };
 
 constexpr int kTile = 64;  ///< texels per side
 
@@ -28,28 +30,47 @@ constexpr const char* kInterpolation =
     "transmittance is linear in depth from Z to ZBack, while flattening takes it as exponential: the results agree at "
     "every Z and ZBack";
 
+/// Of the light as a whole, of red, of green and of blue.
+using Alphas = glm::dvec4;
+
 struct Sample {
-  float z, zBack, alpha;
+  float z, zBack;
+  Alphas alpha;
 };
 
-/// The samples of one texel. A step down at one depth is a surface, all else a sample from node to node.
-std::vector<Sample> samplesOf(const MapNode* nodes, std::size_t count) {
+Alphas transmittancesOf(const LightMap& map, std::size_t node) {
+  const double mean = map.nodes[node].transmittance;
+  return map.colors.empty() ? Alphas(mean) : Alphas(mean, glm::dvec3(map.colors[node]));
+}
+
+/// What a sample takes away: from `left` to `t`, of which nothing is left of what was nothing before.
+Alphas alphasBetween(const Alphas& left, const Alphas& t) {
+  Alphas alphas(0.0);
+  for (int i = 0; i < 4; ++i)
+    if (left[i] > 0.0) alphas[i] = 1.0 - t[i] / left[i];
+  return alphas;
+}
+
+/// The samples of one texel, of the nodes [first, last). A step down at one depth is a surface, all else a sample from
+/// node to node.
+std::vector<Sample> samplesOf(const LightMap& map, std::size_t first, std::size_t last) {
   std::vector<Sample> samples;
-  float depth = count > 0 ? nodes[0].depth : 0.0f;
-  double left = 1.0;  // transmittance behind the samples so far
-  for (std::size_t i = 0; i < count && left > 0.0; ++i) {
-    const double transmittance = std::clamp(double(nodes[i].transmittance), 0.0, left);
-    if (nodes[i].depth > depth || transmittance < left)
-      samples.push_back({depth, nodes[i].depth, float(1.0 - transmittance / left)});
-    depth = nodes[i].depth;
-    left = transmittance;
+  float depth = first < last ? map.nodes[first].depth : 0.0f;
+  Alphas left(1.0);  // transmittances behind the samples so far
+  for (std::size_t i = first; i < last && left[0] > 0.0; ++i) {
+    const Alphas transmittances = glm::clamp(transmittancesOf(map, i), Alphas(0.0), left);
+    const float next = map.nodes[i].depth;
+    if (next > depth || transmittances != left) samples.push_back({depth, next, alphasBetween(left, transmittances)});
+    depth = next;
+    left = transmittances;
   }
   return samples;
 }
 
 OIIO::ImageSpec specOf(const Light& light, const LightMap& map, MapFileLayout layout) {
-  OIIO::ImageSpec spec(map.width, map.height, 3, OIIO::TypeDesc::FLOAT);
-  spec.channelnames = {"A", "Z", "ZBack"};
+  const int channels = map.colors.empty() ? kAlpha + 1 : int(kChannels.size());
+  OIIO::ImageSpec spec(map.width, map.height, channels, OIIO::TypeDesc::FLOAT);
+  spec.channelnames.assign(kChannels.begin(), kChannels.begin() + channels);
   spec.alpha_channel = kAlpha;
   spec.z_channel = kZ;
   spec.deep = true;
@@ -81,8 +102,7 @@ OIIO::DeepData deepData(const OIIO::ImageSpec& spec, const LightMap& map) {
   std::vector<std::vector<Sample>> samples(texels);
   std::vector<unsigned> counts(texels);
   for (std::size_t texel = 0; texel < texels; ++texel) {
-    const std::size_t first = map.firstNode[texel];
-    samples[texel] = samplesOf(map.nodes.data() + first, map.firstNode[texel + 1] - first);
+    samples[texel] = samplesOf(map, map.firstNode[texel], map.firstNode[texel + 1]);
     counts[texel] = unsigned(samples[texel].size());
   }
   OIIO::DeepData deep(spec);
@@ -90,9 +110,10 @@ OIIO::DeepData deepData(const OIIO::ImageSpec& spec, const LightMap& map) {
   for (std::size_t texel = 0; texel < texels; ++texel)
     for (int i = 0; i < int(counts[texel]); ++i) {
       const Sample& sample = samples[texel][std::size_t(i)];
-      deep.set_deep_value(std::int64_t(texel), kAlpha, i, sample.alpha);
       deep.set_deep_value(std::int64_t(texel), kZ, i, sample.z);
       deep.set_deep_value(std::int64_t(texel), kZBack, i, sample.zBack);
+      for (int channel = kAlpha; channel < spec.nchannels; ++channel)
+        deep.set_deep_value(std::int64_t(texel), channel, i, float(sample.alpha[channel - kAlpha]));
     }
   return deep;
 }

@@ -62,6 +62,13 @@ void appendNumber(std::string& text, float value) {
   text.append(digits, end);
 }
 
+void appendNumbers(std::string& text, const glm::vec3& values) {
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) text += ',';
+    appendNumber(text, values[i]);
+  }
+}
+
 }  // namespace
 
 std::vector<glm::vec3> readPoints(const std::string& path) {
@@ -80,18 +87,20 @@ std::vector<glm::vec3> readPoints(const std::string& path) {
 }
 
 void writeTransmittances(std::ostream& out, const std::vector<glm::vec3>& points,
-                         const std::vector<Transmittance>& transmittances) {
+                         const std::vector<Transmittance>& transmittances, LightColumns columns) {
   if (points.size() != transmittances.size())
     throw Error(std::to_string(points.size()) + " points with " + std::to_string(transmittances.size()) +
                 " transmittances cannot be written; there must be one for each");
-  std::string text = "x,y,z,lit,transmittance\n";
+  const bool colored = columns == LightColumns::Colors;
+  std::string text = colored ? "x,y,z,lit,r,g,b\n" : "x,y,z,lit,transmittance\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      appendNumber(text, points[i][axis]);
-      text += ',';
-    }
-    text += transmittances[i].lit ? "1," : "0,";
-    appendNumber(text, transmittances[i].transmittance);
+    const Transmittance& light = transmittances[i];
+    appendNumbers(text, points[i]);
+    text += light.lit ? ",1," : ",0,";
+    if (colored)
+      appendNumbers(text, light.color);
+    else
+      appendNumber(text, light.transmittance);
     text += '\n';
   }
   out << text << std::flush;
@@ -99,11 +108,11 @@ void writeTransmittances(std::ostream& out, const std::vector<glm::vec3>& points
 }
 
 void writeTransmittances(const std::string& path, const std::vector<glm::vec3>& points,
-                         const std::vector<Transmittance>& transmittances) {
-  if (path == "-") return writeTransmittances(std::cout, points, transmittances);
+                         const std::vector<Transmittance>& transmittances, LightColumns columns) {
+  if (path == "-") return writeTransmittances(std::cout, points, transmittances, columns);
   AtomicFile file(path);
   std::ofstream stream(file.temporaryPath(), std::ios::binary);
-  writeTransmittances(stream, points, transmittances);
+  writeTransmittances(stream, points, transmittances, columns);
   stream.close();
   if (!stream) throw Error(Location{path}, "cannot be written; is the disk full?");
   file.commit();

@@ -71,6 +71,7 @@ const std::map<std::string, std::vector<SceneKey>> kKeys{
       {"matrix", KeyShape::Matrix},
       {"interior_extinction", KeyShape::Number},
       {"interior_color", KeyShape::Vector},
+      {"interior_transmission", KeyShape::Vector},
       {"casts_shadow", KeyShape::Flag},
       {"receives_shadow", KeyShape::Flag},
       {"cluster_weight", KeyShape::Number}}},

@@ -18,6 +18,7 @@
 namespace cdsm::io {
 namespace {
 
+const Choices kTransmissions{{"color"}, {}};
 const Choices kLightTypes{{"spot", "omni", "directional"}, {}};
 
 /// Keys that not all lights have, and the types that have them.
@@ -54,13 +55,31 @@ std::vector<TransferFunction::OpacityPoint> readOpacity(const TableReader& reade
   return points;
 }
 
+std::vector<TransferFunction::ColorPoint> readColors(const TableReader& reader, const char* key,
+                                                     const scene::Range& range) {
+  std::vector<TransferFunction::ColorPoint> points;
+  for (const auto& row : reader.points(key, 4, range)) points.push_back({row[0], {row[1], row[2], row[3]}});
+  return points;
+}
+
+/// Points of its own, none, or "color": light takes on the colour of what it gets through, of which no more than all
+/// gets through.
+std::vector<TransferFunction::ColorPoint> readTransmission(const TableReader& reader,
+                                                           std::vector<TransferFunction::ColorPoint> color) {
+  const toml::node* node = reader.table().get("transmission");
+  if (!node || (node->is_array() && node->as_array()->empty())) return {};
+  if (!node->is_string()) return readColors(reader, "transmission", scene::kUnitInterval);
+  reader.choice("transmission", "color", kTransmissions);
+  for (TransferFunction::ColorPoint& point : color) point.color = glm::min(point.color, glm::vec3(1.0f));
+  return color;
+}
+
 TransferFunction readTransferFunction(const TableReader& reader, const AssetCache& assets) {
   TransferFunction transfer = readPresetOf(reader, assets);
   if (transfer.opacity.empty()) transfer.opacity = readOpacity(reader, "opacity");
   if (reader.has("shadow_opacity")) transfer.shadowOpacity = readOpacity(reader, "shadow_opacity");
-  if (transfer.color.empty())
-    for (const auto& row : reader.points("color", 4, scene::kNotNegative))
-      transfer.color.push_back({row[0], {row[1], row[2], row[3]}});
+  if (transfer.color.empty()) transfer.color = readColors(reader, "color", scene::kNotNegative);
+  transfer.transmission = readTransmission(reader, transfer.color);
   transfer.unitDistance = reader.number("unit_distance", transfer.unitDistance, scene::kPositive);
   return transfer;
 }
@@ -111,9 +130,7 @@ Material readMaterial(const toml::table& table) {
   material.specular = reader.vector("specular", material.specular, scene::kNotNegative);
   material.shininess = reader.number("shininess", material.shininess, scene::kNotNegative);
   material.opacity = reader.number("opacity", material.opacity, scene::kUnitInterval);
-  if (reader.vector("transmission", glm::vec3(0.0f), scene::kUnitInterval) != glm::vec3(0.0f)) {
-    reader.fail("transmission", "transmission other than [0, 0, 0] is not supported yet");
-  }
+  material.transmission = reader.vector("transmission", material.transmission, scene::kUnitInterval);
   return material;
 }
 
@@ -127,6 +144,8 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
   mesh.worldFromObject = readTransform(reader);
   mesh.interiorExtinction = reader.number("interior_extinction", mesh.interiorExtinction, scene::kNotNegative);
   mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
+  mesh.interiorTransmission =
+      reader.vector("interior_transmission", mesh.interiorTransmission, scene::kUnitInterval);
   mesh.shadow = readShadowRole(reader);
   reader.locate("file", [&] { mesh.data = assets.mesh(file); });
   reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size(), assets.checks()); });
@@ -139,7 +158,6 @@ Volume readVolumeTable(const toml::table& table, const Scene& scene, AssetCache&
   volume.name = requiredText(reader, "name");
   const std::string file = requiredText(reader, "file");
   volume.transfer = readTransferFunction(reader, assets);
-  reader.refuseUnlessEmpty("transmission");
   volume.worldFromObject = readTransform(reader);
   volume.specular = reader.vector("specular", volume.specular, scene::kNotNegative);
   volume.shininess = reader.number("shininess", volume.shininess, scene::kNotNegative);

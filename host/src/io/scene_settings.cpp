@@ -16,7 +16,7 @@ const Choices kFilters{{"bilinear", "nearest"}, {}};
 const Choices kToleranceModes{{"samples", "everywhere"}, {}};
 const Choices kOverflows{{"error", "coarsen"}, {}};
 const Choices kRays{{"exact", "opaque"}, {}};
-const Choices kTransmittances{{"grey"}, {"rgb"}};
+const Choices kTransmittances{{"grey", "rgb"}, {}};
 const Choices kCaches{{"none", "volume"}, {}};
 
 }  // namespace
@@ -55,6 +55,7 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.toleranceMode = reader.choice("tolerance_mode", shadows.toleranceMode, kToleranceModes);
   shadows.filter = reader.choice("filter", shadows.filter, kFilters);
   shadows.rays = reader.choice("rays", shadows.rays, kRays);
+  shadows.transmittance = reader.choice("transmittance", shadows.transmittance, kTransmittances);
   shadows.threshold = reader.number("threshold", shadows.threshold, scene::kThreshold);
   shadows.pcf = reader.integer("pcf", shadows.pcf, scene::kPcf);
   shadows.samples = reader.integer("samples", shadows.samples, scene::kSamples);
@@ -73,7 +74,6 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.onOverflow = reader.choice("on_overflow", shadows.onOverflow, kOverflows);
   shadows.cache = reader.choice("cache", shadows.cache, kCaches);
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
-  reader.choice("transmittance", "grey", kTransmittances);
   reader.locate("tolerance", [&] { scene::validateShadows(shadows); });  // all else has been checked above
   return shadows;
 }

@@ -59,8 +59,6 @@ class TableReader {
 
   /// Throws "not supported yet" when the key is there.
   void refuse(std::string_view key) const;
-  /// The same, unless it has its default: then nothing depends on it.
-  void refuseUnlessEmpty(std::string_view key) const;
 
   /// Throws at the key's value, or at the table when the key is missing.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;

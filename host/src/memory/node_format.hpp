@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "device/texture.hpp"
+#include "memory/spectrum.hpp"
 
 namespace cdsm::memory {
 
 struct NodeFormat {
   const char* name;
+  const char* spectrum;  ///< of its transmittances
   const char* kernelFile;
   std::size_t words;            ///< of 32 bits, per node
   device::PixelType pixelType;  ///< of a texture of nodes, pixels of 16 bytes
@@ -30,7 +32,7 @@ struct NodeFormat {
 /// Which kernel file it is: NAME and value of a define.
 std::pair<std::string, std::string> nodeFormatDefine(const NodeFormat& format);
 
-/// Throws Error that lists the formats there are.
-const NodeFormat& nodeFormat(const std::string& name);
+/// `spectrum`: name of that of the transmittances. Throws Error that lists the formats there are.
+const NodeFormat& nodeFormat(const std::string& name, const std::string& spectrum = "grey");
 
 }  // namespace cdsm::memory

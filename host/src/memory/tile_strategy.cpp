@@ -12,17 +12,16 @@ namespace {
 /// Enough for most scenes at tolerance 0.01.
 constexpr std::size_t kFirstTileRoom = 8 * CDSM_TILE_PIXELS;
 
-/// A chunk's nodes, and the number of the next one.
-constexpr std::size_t kChunkBytes = CDSM_CHUNK_NODES * sizeof(shared::float2) + sizeof(std::uint32_t);
-
 std::uint64_t wide(shared::uint low, shared::uint high) { return std::uint64_t(high) << 32 | low; }
 
 }  // namespace
 
-int tileChunks(const device::Device& device) {
+int tileChunks(const device::Device& device, const Spectrum& spectrum) {
+  const std::size_t nodeBytes = (1 + spectrum.channels) * sizeof(float);
+  const std::size_t chunkBytes = CDSM_CHUNK_NODES * nodeBytes + sizeof(std::uint32_t);  // and the number of the next one
   // a quarter, so that several groups are in flight; more than 1024 (128 nodes per texel) would leave the caches
   const std::size_t bytes = std::size_t(device.description().localMemoryBytes) / 4;
-  return int(std::clamp<std::size_t>(bytes / kChunkBytes, 128, 1024));
+  return int(std::clamp<std::size_t>(bytes / chunkBytes, 128, 1024));
 }
 
 TileStrategy::TileStrategy(device::Device& device, const NodeFormat& format, std::size_t recordWords, Mode mode)
@@ -86,7 +85,7 @@ shared::MemoryParams TileStrategy::params() const {
   shared::MemoryParams params{};
   params.firstNode = shared::uint(store_.nextNode());
   params.capacity = shared::uint(store_.room());
-  params.scratchChunks = mode_ == Mode::Fill ? shared::uint(tileChunks(device_)) : 0;
+  params.scratchChunks = mode_ == Mode::Fill ? shared::uint(tileChunks(device_, spectrumNamed(format().spectrum))) : 0;
   params.fill = fill_;
   return params;
 }

@@ -7,7 +7,7 @@
 namespace cdsm::memory {
 
 /// CDSM_TILE_CHUNKS: chunks of nodes in local memory that the texels of a tile share while they are marched.
-int tileChunks(const device::Device& device);
+int tileChunks(const device::Device& device, const Spectrum& spectrum);
 
 /// Each tile reserves its place in the pool when it has been marched. Maps with tiles that did not fit into scratch
 /// memory or pool are built once more, those tiles alone.

@@ -28,13 +28,14 @@ void QueryPass::run(const QueryScene& in, std::size_t light, const glm::vec3* po
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "points are uploaded as they are");
   if (count == 0) return;
   const float* first = &points->x;
-  const bool inPlace = Floats::canBeInPlace(device_, first, count) && Floats::canBeInPlace(device_, values, count);
+  const std::size_t valueCount = in.deviceScene.spectrum().channels * count;
+  const bool inPlace = Floats::canBeInPlace(device_, first, 3 * count) && Floats::canBeInPlace(device_, values, valueCount);
   if (!inPlace) {
-    const Floats results(device_, count, "transmittances");
+    const Floats results(device_, valueCount, "transmittances");
     run(in, light, {Floats::fromHost(device_, first, 3 * count, "points"), count}, results);
     return results.download(values);
   }
-  const Floats results = Floats::inPlace(device_, values, count, "transmittances");
+  const Floats results = Floats::inPlace(device_, values, valueCount, "transmittances");
   run(in, light, {Floats::inPlace(device_, first, 3 * count, "points"), count}, results);
   results.toHost();
 }

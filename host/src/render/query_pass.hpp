@@ -34,7 +34,7 @@ class QueryPass {
   /// Objects or technique have changed: another kernel may be needed.
   void forgetKernel() { queryPoints_.reset(); }
 
-  /// One value per point: transmittance, -1 where not lit. `light`: number of the light. Enqueued only.
+  /// Transmittance of each point, a value per channel, -1 where not lit. `light`: number of the light. Enqueued only.
   void run(const QueryScene& in, std::size_t light, const DevicePoints& points, const device::Buffer<float>& values);
   /// The same from and to host memory, in place where the device shares it.
   void run(const QueryScene& in, std::size_t light, const glm::vec3* points, std::size_t count, float* values);

@@ -37,7 +37,7 @@ void ShadowVolume::fill(const build::DeviceScene& deviceScene, std::size_t light
   using FillKernel =
       device::Kernel<shared::FillParams, device::Buffer<std::uint16_t>, device::Buffer<shared::LightData>,
                      shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
-  const std::size_t voxels = deviceScene.shadowBlocks() * CDSM_SHADOW_BLOCK;
+  const std::size_t voxels = deviceScene.spectrum().channels * deviceScene.shadowBlocks() * CDSM_SHADOW_BLOCK;
   voxels_ = {};
   voxels_ = device::Buffer<std::uint16_t>(device_, lightCount * voxels, "shadow volumes");
   voxels_.fill(std::uint16_t(CDSM_SHADOW_ONE));

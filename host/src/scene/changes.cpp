@@ -10,10 +10,11 @@ namespace cdsm::scene {
 
 namespace {
 
-auto key(const Material& m) { return std::tie(m.name, m.diffuse, m.specular, m.shininess, m.opacity); }
+auto key(const Material& m) { return std::tie(m.name, m.diffuse, m.specular, m.shininess, m.opacity, m.transmission); }
 auto key(const ShadowRole& r) { return std::tie(r.casts, r.receives, r.weight); }
 auto key(const Mesh& m) {
-  return std::tuple_cat(std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor),
+  return std::tuple_cat(std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor,
+                                 m.interiorTransmission),
                         key(m.shadow));
 }
 auto key(const Spheres& s) {
@@ -27,7 +28,7 @@ bool sameLists(const std::vector<T>& a, const std::vector<T>& b);
 
 bool same(const TransferFunction& a, const TransferFunction& b) {
   return a.unitDistance == b.unitDistance && sameLists(a.opacity, b.opacity) && sameLists(a.color, b.color) &&
-         sameLists(a.shadowOpacity, b.shadowOpacity);
+         sameLists(a.shadowOpacity, b.shadowOpacity) && sameLists(a.transmission, b.transmission);
 }
 
 bool same(const Volume& a, const Volume& b) {
@@ -51,12 +52,15 @@ bool sameLists(const std::vector<T>& a, const std::vector<T>& b) {
 
 auto meshCaster(const Scene& scene, std::size_t index) {
   const Mesh& m = scene.meshes[index];
-  return std::tie(m.data, m.worldFromObject, m.interiorExtinction, m.shadow.casts, scene.materials[m.material].opacity);
+  const Material& material = scene.materials[m.material];
+  return std::tie(m.data, m.worldFromObject, m.interiorExtinction, m.interiorTransmission, m.shadow.casts,
+                  material.opacity, material.transmission);
 }
 
 auto spheresCaster(const Scene& scene, std::size_t index) {
   const Spheres& s = scene.spheres[index];
-  return std::tie(s.data, s.worldFromObject, s.shadow.casts, scene.materials[s.material].opacity);
+  const Material& material = scene.materials[s.material];
+  return std::tie(s.data, s.worldFromObject, s.shadow.casts, material.opacity, material.transmission);
 }
 
 CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
@@ -70,7 +74,8 @@ CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
     if (m.data != n.data || m.worldFromObject != n.worldFromObject) return CasterChange::Other;
   }
   const TransferFunction &s = v.transfer, &t = w.transfer;
-  const bool same = s.unitDistance == t.unitDistance && sameLists(s.towardsLights(), t.towardsLights());
+  const bool same = s.unitDistance == t.unitDistance && sameLists(s.towardsLights(), t.towardsLights()) &&
+                    sameLists(s.transmission, t.transmission);
   return same ? CasterChange::None : CasterChange::TransferFunction;
 }
 
@@ -79,7 +84,7 @@ CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
 bool sameObjects(const Scene& a, const Scene& b) {
   return sameLists(a.materials, b.materials) && sameLists(a.meshes, b.meshes) && sameLists(a.volumes, b.volumes) &&
          sameLists(a.spheres, b.spheres) && a.shadows.step == b.shadows.step &&
-         a.shadows.tolerance == b.shadows.tolerance;
+         a.shadows.tolerance == b.shadows.tolerance && a.shadows.transmittance == b.shadows.transmittance;
 }
 
 bool sameObjectNames(const Scene& a, const Scene& b) {
@@ -109,7 +114,8 @@ LightChange lightChange(const Light& a, const Light& b) {
 }
 
 bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b) {
-  if (std::tie(a.technique, a.mapSize, a.step) != std::tie(b.technique, b.mapSize, b.step)) return false;
+  const auto common = [](const ShadowSettings& s) { return std::tie(s.technique, s.mapSize, s.step, s.transmittance); };
+  if (common(a) != common(b)) return false;
   if (a.technique == "shadow-map" || a.technique == "implicit-sphere") return a.threshold == b.threshold;
   if (a.technique == "stochastic")
     return std::tie(a.seed, a.stratified) == std::tie(b.seed, b.stratified) &&

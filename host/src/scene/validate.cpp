@@ -136,6 +136,7 @@ void validateShadows(const ShadowSettings& shadows) {
   requireRange(shadows.bias, kNotNegative, "shadows bias");
   requireEither(shadows.filter, "bilinear", "nearest", "shadows filter");
   requireEither(shadows.rays, "exact", "opaque", "shadows rays");
+  requireEither(shadows.transmittance, "grey", "rgb", "shadows transmittance");
   requireEither(shadows.toleranceMode, "samples", "everywhere", "shadows tolerance_mode");
   requireEither(shadows.nodeFormat, "float32", "unorm16", "shadows node_format");
   requireEither(shadows.onOverflow, "error", "coarsen", "shadows on_overflow");
@@ -145,6 +146,12 @@ void validateShadows(const ShadowSettings& shadows) {
 void validateTechnique(const Scene& scene) {
   if (scene.shadows.technique == "implicit-sphere" && scene.spheres.empty())
     throw Error("the technique implicit-sphere needs [[spheres]] to cast shadows, of which the scene has none");
+  const ShadowSettings& shadows = scene.shadows;
+  const bool opaque = shadows.technique == "shadow-map" || shadows.technique == "implicit-sphere";
+  const bool opaqueRays = shadows.technique == "shadow-rays" && shadows.rays == "opaque";
+  if (shadows.transmittance == "rgb" && (opaque || opaqueRays))
+    throw Error("the technique " + shadows.technique + (opaqueRays ? " with opaque rays" : "") +
+                " knows all of the light or none, but shadows.transmittance is 'rgb', must be 'grey'");
 }
 
 void validateLight(const Light& light) {
@@ -164,6 +171,7 @@ void validateMaterial(const Material& material) {
   requireVector(material.specular, kNotNegative, what + ": specular");
   requireRange(material.shininess, kNotNegative, what + ": shininess");
   requireRange(material.opacity, kUnitInterval, what + ": opacity");
+  requireVector(material.transmission, kUnitInterval, what + ": transmission");
 }
 
 void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& checks) {
@@ -175,6 +183,7 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& check
   requireMaterial(mesh.material, materialCount, what);
   requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
   requireVector(mesh.interiorColor, kNotNegative, what + ": interior_color");
+  requireVector(mesh.interiorTransmission, kUnitInterval, what + ": interior_transmission");
   requireRange(mesh.shadow.weight, kClusterWeight, what + ": cluster_weight");
   if (mesh.interiorExtinction > 0.0f) requireClosed(mesh, checks, "to have an interior_extinction");
 }

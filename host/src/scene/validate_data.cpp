@@ -131,6 +131,10 @@ void validateTransferFunction(const TransferFunction& transfer, const std::strin
   for (const auto& point : transfer.color) {
     for (int channel = 0; channel < 3; ++channel) requireRange(point.color[channel], kNotNegative, what + ": color");
   }
+  if (!transfer.transmission.empty()) requireAscending(transfer.transmission, what + ": transmission");
+  for (const auto& point : transfer.transmission)
+    for (int channel = 0; channel < 3; ++channel)
+      requireRange(point.color[channel], kUnitInterval, what + ": transmission");
   requireRange(transfer.unitDistance, kPositive, what + ": unit_distance");
 }
 

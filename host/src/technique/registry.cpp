@@ -23,11 +23,15 @@ struct Entry {
   Factory<Made> make;
 };
 
+const memory::NodeFormat& formatOf(const ShadowSettings& settings) {
+  return memory::nodeFormat(settings.nodeFormat, settings.transmittance);
+}
+
 /// A strategy that needs nothing but the device and a format of nodes.
 template <class Made>
 Factory<memory::MemoryStrategy> plain() {
   return [](const ShadowSettings& settings, device::Device& device) {
-    return std::make_unique<Made>(device, memory::nodeFormat(settings.nodeFormat));
+    return std::make_unique<Made>(device, formatOf(settings));
   };
 }
 
@@ -39,7 +43,7 @@ std::vector<Entry<memory::MemoryStrategy>>& memories() {
       {"tiled", plain<memory::Tiled>()},
       {"fixed",
        [](auto& settings, auto& device) {
-         return std::make_unique<memory::Fixed>(device, memory::nodeFormat(settings.nodeFormat), settings.maxNodes);
+         return std::make_unique<memory::Fixed>(device, formatOf(settings), settings.maxNodes);
        }},
   };
   return list;

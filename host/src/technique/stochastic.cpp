@@ -27,14 +27,16 @@ shared::uint turn(double part) { return shared::uint(std::min(std::floor(part * 
 void drawPublished(shared::DepthParams& params) { params.jitter = turn(1.0); }
 
 /// Grey light has three photons per texel for one transmittance: their numbers are a third of a turn apart, so that a
-/// third of a turn is what has to be spread over the texels.
-void drawStratified(shared::DepthParams& params, int samples) {
+/// third of a turn is what has to be spread over the texels. Those of colours share a number, as published: what is grey
+/// stays grey.
+void drawStratified(shared::DepthParams& params, int samples, bool colored) {
   const Lattice& lattice = *std::find_if(std::begin(kLattices), std::end(kLattices),
                                          [&](const Lattice& candidate) { return candidate.samples == samples; });
-  params.patternX = turn(lattice.along / (3.0 * lattice.count));
-  params.patternY = turn(lattice.down / (3.0 * lattice.count));
-  params.jitter = turn(lattice.noise / 3.0);
-  params.channelShift = turn(1.0 / 3.0);
+  const double whole = colored ? 1.0 : 1.0 / 3.0;
+  params.patternX = turn(whole * lattice.along / lattice.count);
+  params.patternY = turn(whole * lattice.down / lattice.count);
+  params.jitter = turn(whole * lattice.noise);
+  params.channelShift = colored ? 0 : turn(whole);
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ build::StopRule Stochastic::stopRule(const Preparation& to) {
   build::StopRule rule{"\"build/stop_random.clh\"", {}, {}};
   rule.params.seed = shared::uint(shadows.seed);
   if (shadows.stratified)
-    drawStratified(rule.params, shadows.samples);
+    drawStratified(rule.params, shadows.samples, shadows.transmittance == "rgb");
   else
     drawPublished(rule.params);
   return rule;
