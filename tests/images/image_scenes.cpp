@@ -139,6 +139,14 @@ Scene balls() {
   return scene;
 }
 
+/// Light is coloured by what it gets through.
+ImageScene inColor(ImageScene scene, std::uint32_t seed) {
+  giveRandomTransmissions(scene.scene, seed);
+  scene.scene.materials.front().transmission = glm::vec3(0.0f);  // of the floor
+  scene.name += "InColor";
+  return scene;
+}
+
 /// Some objects are lit as if nothing stood in the way.
 ImageScene someReceive(ImageScene scene, std::uint32_t seed) {
   giveRandomRoles(scene.scene, seed);
@@ -171,6 +179,7 @@ std::vector<ImageScene> imageScenes() {
     scenes.push_back(someReceive(scenes[seeds.scene], seeds.receive));
     scenes.push_back(someCast(scenes[seeds.scene], seeds.cast));
   }
+  for (const std::size_t scene : {1u, 3u, 5u}) scenes.push_back(inColor(scenes[scene], 2));
   return scenes;
 }
 

@@ -50,6 +50,12 @@ const Image& cachedReference(const ImageScene& scene, const Scene& settings) {
   return found != images.end() ? found->second : images.emplace(key, referenceImage(settings)).first->second;
 }
 
+/// Those of all or nothing know no colours; that all memory strategies agree on these, other tests tell.
+bool isRendered(const ImageScene& scene, const Technique& technique) {
+  const bool carriesColors = technique.label == "ShadowRays" || technique.label == "MapExact";
+  return scene.scene.shadows.transmittance == "grey" || carriesColors;
+}
+
 struct Case {
   ImageScene scene;
   Technique technique;
@@ -60,7 +66,8 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> list = [] {
     std::vector<Case> pairs;
     for (const ImageScene& scene : imageScenes())
-      for (const Technique& technique : techniques()) pairs.push_back({scene, technique});
+      for (const Technique& technique : techniques())
+        if (isRendered(scene, technique)) pairs.push_back({scene, technique});
     return pairs;
   }();
   return list;

@@ -108,7 +108,9 @@ void MapBuilder::build(const std::vector<Scene>& scenes, int size, std::vector<i
 
 Texels MapBuilder::read(std::size_t map) {
   Defines defines = build::memoryDefines(*memory_);
-  defines.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device_)));
+  const memory::Spectrum& spectrum = memory::spectrumNamed(memory_->format().spectrum);
+  defines.push_back(memory::spectrumDefine(spectrum));
+  defines.emplace_back("CDSM_TILE_CHUNKS", std::to_string(memory::tileChunks(device_, spectrum)));
   if (device_.fetchImages()) defines.emplace_back("CDSM_FETCH_IMAGE", "1");
   const cl::Program& program = testProgram(device_, kText, defines);
   const auto maps = device::Buffer<shared::MapData>::fromHost(device_, maps_, "maps");

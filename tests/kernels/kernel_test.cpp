@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
+
+#include "memory/spectrum.hpp"
 
 namespace cdsm::kernels {
 namespace {
@@ -39,6 +42,9 @@ const cl::Program& testProgram(device::Device& device, const std::string& text, 
                                const std::map<std::string, std::string>& generated) {
   device::ProgramSource source{kEntry, defines, generated};
   source.generated[kEntry] = text;
+  const auto isSpectrum = [](const auto& define) { return define.first == "CDSM_SPECTRUM"; };
+  if (std::none_of(defines.begin(), defines.end(), isSpectrum))
+    source.defines.push_back(memory::spectrumDefine(memory::spectrumNamed("grey")));
   return device.programs().get(source);
 }
 

@@ -18,15 +18,26 @@ __kernel void ask(__global const float4* points, uint count, uint light, __globa
 }
 )";
 
+const char* const kEmbeddersColors = R"(
+__kernel void ask(__global const float4* points, uint count, uint light, __global float* values, CDSM_LOOKUP_PARAMS) {
+  size_t i = get_global_id(0);
+  if (i >= count) return;
+  float3 p = points[i].xyz, t = (float3)(-1.0f);
+  if (cdsmLit(light, p, CDSM_LOOKUP_ARGS)) t = cdsmTransmittance(light, p, CDSM_LOOKUP_ARGS);
+  vstore3(t, i, values);
+}
+)";
+
 /// What the embedder's kernel says of the points.
 std::vector<float> ask(const Given& given, const opencl::Lookup& lookup, const std::string& light,
-                       const std::vector<glm::vec3>& points) {
-  const cl::Program program(given.context, cl::Program::Sources{lookup.source(), kEmbeddersKernels});
+                       const std::vector<glm::vec3>& points, std::size_t channels = 1) {
+  const char* const kernels = channels == 1 ? kEmbeddersKernels : kEmbeddersColors;
+  const cl::Program program(given.context, cl::Program::Sources{lookup.source(), kernels});
   program.build(given.device, lookup.buildOptions().c_str());
   cl::Kernel kernel(program, "ask");
   std::vector<glm::vec4> padded;
   for (const glm::vec3& p : points) padded.emplace_back(p, 0.0f);
-  const cl::Buffer in = given.buffer(padded), out = given.buffer(std::vector<float>(points.size(), -2.0f));
+  const cl::Buffer in = given.buffer(padded), out = given.buffer(std::vector<float>(channels * points.size(), -2.0f));
   kernel.setArg(0, in);
   kernel.setArg(1, cl_uint(points.size()));
   kernel.setArg(2, cl_uint(lookup.light(light)));
@@ -50,18 +61,22 @@ Scene litTwice(const std::string& technique, const std::string& memory) {
   return scene;
 }
 
-void expectSameBits(const std::string& technique, const std::string& memory, const std::string& fetch) {
+void expectSameBits(const std::string& technique, const std::string& memory, const std::string& fetch,
+                    const std::string& transmittance = "grey") {
   const Given given;
   EngineOptions options;
   options.fetch = fetch;
   Engine engine = opencl::makeEngine(given.place(), options);
-  engine.prepare(litTwice(technique, memory));
+  Scene scene = litTwice(technique, memory);
+  scene.shadows.transmittance = transmittance;
+  for (Volume& volume : scene.volumes) volume.transfer.transmission = volume.transfer.color;
+  engine.prepare(scene);
   const opencl::Lookup lookup = opencl::lookup(engine);
   const auto points = somePoints(500);
   for (const char* light : {"key", "lamp"}) {
-    std::vector<float> wanted(points.size());
+    std::vector<float> wanted(engine.channels() * points.size());
     engine.transmittance(light, points.data(), points.size(), wanted.data());
-    const std::vector<float> got = ask(given, lookup, light, points);
+    const std::vector<float> got = ask(given, lookup, light, points, engine.channels());
     EXPECT_EQ(std::memcmp(got.data(), wanted.data(), 4 * wanted.size()), 0)
         << technique << ' ' << memory << ' ' << fetch << ' ' << light;
   }
@@ -71,6 +86,11 @@ TEST(EmbeddersKernel, SeesTheBitsOfTheQueryService) {
   for (const char* memory : {"chunked", "atlas", "exact", "tiled", "fixed"})
     expectSameBits("deep-shadow-map", memory, "buffer");
   for (const char* technique : {"none", "shadow-map", "shadow-rays"}) expectSameBits(technique, "exact", "buffer");
+}
+
+TEST(EmbeddersKernel, SeesColors) {
+  for (const char* technique : {"none", "shadow-rays", "deep-shadow-map", "stochastic"})
+    expectSameBits(technique, "exact", "buffer", "rgb");
 }
 
 TEST(EmbeddersKernel, SeesThemInImages) {

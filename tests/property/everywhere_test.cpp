@@ -130,7 +130,7 @@ std::vector<double> depthsOf(const Visibility& v) {
 
 /// A texel's ray: depths, the points there, V at them.
 struct TexelRay {
-  std::vector<double> values;
+  std::vector<glm::dvec3> values;  ///< of red, green and blue light
   std::vector<glm::vec3> points;
 };
 
@@ -141,11 +141,16 @@ std::vector<TexelRay> texelRays(const reference::World& world) {
     for (int column = 3; column < kMapSize - 3; column += 3) {
       const reference::Ray line = frame.texelRay(column, row);
       const double depthPerT = frame.depthPerT(column, row);
-      const Visibility v = reference::visibility(world, line, depthPerT, 2.0 / kVoxels / kFineness);
-      if (v.size() < 2) continue;
+      const auto visibility = [&](int channel) {
+        return reference::visibility(world, line, depthPerT, 2.0 / kVoxels / kFineness, channel);
+      };
+      const Visibility red = visibility(0);
+      if (red.size() < 2) continue;
+      const bool colored = world.scene.shadows.transmittance == "rgb";
+      const Visibility green = colored ? visibility(1) : red, blue = colored ? visibility(2) : red;
       TexelRay ray;
-      for (const double depth : depthsOf(v)) {
-        ray.values.push_back(visibilityAt(v, depth));
+      for (const double depth : depthsOf(red)) {
+        ray.values.emplace_back(visibilityAt(red, depth), visibilityAt(green, depth), visibilityAt(blue, depth));
         ray.points.emplace_back(line.at(depth / depthPerT));
       }
       rays.push_back(ray);
@@ -168,7 +173,8 @@ double largestError(const Scene& scene, const std::vector<TexelRay>& rays, float
   for (const TexelRay& ray : rays) {
     const std::vector<Transmittance> found = query(path, along(path, scene, kMapSize, tolerance), ray.points);
     for (std::size_t i = 0; i < found.size(); ++i)
-      largest = std::max(largest, std::abs(static_cast<double>(found[i].transmittance) - ray.values[i]));
+      for (int channel = 0; channel < 3; ++channel)
+        largest = std::max(largest, std::abs(double(found[i].color[channel]) - ray.values[i][channel]));
   }
   return largest;
 }
@@ -200,6 +206,16 @@ TEST(ToleranceEverywhere, boundsPeaksThinnerThanTheTable) {
 TEST(ToleranceEverywhere, boundsOverlappingMedia) { expectBound("overlapping media", overlapping()); }
 
 TEST(ToleranceEverywhere, boundsInteriors) { expectBound("interior", filledBox()); }
+
+TEST(ToleranceEverywhere, boundsColors) {
+  Scene scene = smokePeaks();
+  const int box = reference::addMesh(scene, reference::boxMesh(glm::vec3(-0.5f), glm::vec3(0.6f)),
+                                     reference::addMaterial(scene, glm::vec3(1), 0.1f));
+  scene.meshes[std::size_t(box)].interiorExtinction = 0.8f;
+  reference::giveRandomTransmissions(scene, 7);
+  scene.volumes.front().transfer.transmission = {{60.2f, {0.0f, 1.0f, 0.2f}}, {60.2f, {1.0f, 0.3f, 0.0f}}};
+  expectBound("colours of a thin peak with a step and of an interior", scene);
+}
 
 TEST(ToleranceEverywhere, boundsParallelLight) { expectBound("parallel light", overlapping(), LightType::Directional); }
 

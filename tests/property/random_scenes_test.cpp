@@ -29,16 +29,18 @@ constexpr double kAllowed = 0.02;
 
 struct Sample {
   glm::vec3 point;
-  double exact;
+  glm::dvec3 exact;  ///< of red, green and blue light
 };
 
 /// The same transmittance, within kSmooth, two texels to all sides and two texels' width nearer and farther, and with
 /// the engine's step.
-bool isSmooth(const World& world, const Light& light, const LightFrame& frame, const glm::dvec3& point, double exact) {
+bool isSmooth(const World& world, const Light& light, const LightFrame& frame, const glm::dvec3& point,
+              const glm::dvec3& exact) {
   const glm::dvec3 at = frame.coordinates(point);
   const double reach = 2.0 * frame.texel(), deeper = 2.0 * frame.texelAt(at.z);
   const auto same = [&](const glm::dvec3& p, double step) {
-    return reference::lit(light, p) && std::abs(transmittance(world, light, p, step) - exact) <= kSmooth;
+    const glm::dvec3 difference = glm::abs(colorTransmittance(world, light, p, step) - exact);
+    return reference::lit(light, p) && glm::all(glm::lessThanEqual(difference, glm::dvec3(kSmooth)));
   };
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -56,7 +58,7 @@ std::vector<Sample> samplesOf(const World& world, const Light& light, std::uint3
     const glm::vec3 point = static_cast<float>(random.uniform(0.0, 1.8)) * random.direction();
     if (!reference::lit(light, glm::dvec3(point))) continue;
     const LightFrame frame(world.scene, light, kMapSize, glm::dvec3(point));
-    const double exact = reference::transmittance(world, light, glm::dvec3(point));
+    const glm::dvec3 exact = reference::colorTransmittance(world, light, glm::dvec3(point));
     if (isSmooth(world, light, frame, glm::dvec3(point), exact)) samples.push_back({point, exact});
   }
   return samples;
@@ -70,13 +72,16 @@ void expectExact(const Path& path, const Scene& scene, const Light& light, const
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const glm::vec3& p = samples[i].point;
     EXPECT_EQ(result[i].lit, 1) << path.name();
-    EXPECT_NEAR(result[i].transmittance, samples[i].exact, kAllowed)
-        << path.name() << ", light " << light.name << ", point " << p.x << " " << p.y << " " << p.z;
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(result[i].color[channel], samples[i].exact[channel], kAllowed)
+          << path.name() << ", light " << light.name << ", point " << p.x << " " << p.y << " " << p.z << ", channel "
+          << channel;
   }
 }
 
 const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest"),
                                mapPath("exact", "bilinear"), mapPath("tiled", "nearest")};
+const std::vector<Path> kColorPaths{rayPath(), mapPath("exact", "bilinear"), mapPath("chunked", "nearest", 2)};
 const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 8), mapPath("chunked", "nearest", 2)};
 
 class RandomScenes : public ::testing::TestWithParam<std::uint32_t> {};
@@ -122,6 +127,16 @@ TEST_P(RandomScenes, agreeWithBruteForceWithSpheres) {
   if (GetParam() > 2) return;
   scene.shadows.clusterDistance = 0.1f;
   expectBruteForce(scene, GetParam(), kClusterPaths);
+}
+
+/// Light coloured by what it gets through; spheres in every second scene.
+TEST_P(RandomScenes, agreeWithBruteForceInColor) {
+  if (GetParam() > 2) GTEST_SKIP() << "two seeds tell enough";
+  Scene scene = reference::randomScene(GetParam());
+  if (GetParam() % 2 == 0) reference::addRandomSpheres(scene, GetParam());
+  reference::giveRandomTransmissions(scene, GetParam());
+  scene.shadows.step = 0.02f;  // as above
+  expectBruteForce(scene, GetParam(), kColorPaths);
 }
 
 /// A spot light and parallel light, their casters in clusters.

@@ -75,7 +75,7 @@ Scene cloudyScene(LightType type = LightType::Spot) {
 }
 
 struct TexelRay {
-  Visibility visibility;
+  std::vector<Visibility> visibilities;  ///< of red, green and blue light
   std::vector<double> depths;
   std::vector<glm::vec3> points;
 };
@@ -85,12 +85,16 @@ TexelRay texelRay(const reference::World& world, int column, int row) {
   const LightFrame frame(world.scene, world.scene.lights.front(), kMapSize);
   const reference::Ray line = frame.texelRay(column, row);
   const double depthPerT = frame.depthPerT(column, row);
-  TexelRay ray{reference::visibility(world, line, depthPerT), {}, {}};
-  const double first = 0.5 * ray.visibility[1].first;
-  const double last = ray.visibility.back().first + 0.5;
+  TexelRay ray;
+  for (int channel = 0; channel < 3; ++channel)
+    ray.visibilities.push_back(
+        reference::visibility(world, line, depthPerT, reference::kEngineStep, channel));
+  const Visibility& red = ray.visibilities.front();  // all have the same depths
+  const double first = 0.5 * red[1].first;
+  const double last = red.back().first + 0.5;
   for (int i = 0; i < kDepths; ++i) {
     const double depth = first + (last - first) * (i + 0.5) / kDepths;
-    if (atSurface(ray.visibility, depth)) continue;
+    if (atSurface(red, depth)) continue;
     ray.depths.push_back(depth);
     ray.points.emplace_back(line.at(depth / depthPerT));
   }
@@ -101,20 +105,24 @@ TexelRay texelRay(const reference::World& world, int column, int row) {
 double largestError(const TexelRay& ray, const std::vector<Transmittance>& result) {
   double largest = 0.0;
   for (std::size_t i = 0; i < ray.depths.size(); ++i) {
-    const Band band = visibilityAt(ray.visibility, ray.depths[i]);
-    const auto found = static_cast<double>(result[i].transmittance);
-    largest = std::max({largest, band.low - found, found - band.high});
+    for (int channel = 0; channel < 3; ++channel) {
+      const Band band = visibilityAt(ray.visibilities[std::size_t(channel)], ray.depths[i]);
+      const auto found = static_cast<double>(result[i].color[channel]);
+      largest = std::max({largest, band.low - found, found - band.high});
+    }
   }
   return largest;
 }
 
-class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float, LightType, std::string>> {};
+class Tolerance : public ::testing::TestWithParam<std::tuple<std::string, float, LightType, std::string, bool>> {};
 
 TEST_P(Tolerance, boundsTheCompression) {
-  const auto [memory, tolerance, type, format] = GetParam();
+  const auto [memory, tolerance, type, format, colored] = GetParam();
   Path path = mapPath(memory, "nearest");
   path.format = format;
-  const reference::World world(along(path, cloudyScene(type), kMapSize, tolerance));
+  Scene scene = cloudyScene(type);
+  if (colored) reference::giveRandomTransmissions(scene, 1);
+  const reference::World world(along(path, scene, kMapSize, tolerance));
   double largest = 0.0;
   for (int row = 14; row < kMapSize - 13; row += 5) {
     for (int column = 14; column < kMapSize - 13; column += 5) {
@@ -126,28 +134,34 @@ TEST_P(Tolerance, boundsTheCompression) {
       largest = std::max(largest, error);
     }
   }
-  std::cout << memory << ", " << format << ", tolerance " << tolerance << ": largest error " << largest << "\n";
+  std::cout << memory << ", " << format << (colored ? ", in colour" : "") << ", tolerance " << tolerance << ": largest error " << largest << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, Tolerance,
                          ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
                                             ::testing::Values(0.0f, 0.002f, 0.01f, 0.05f),
-                                            ::testing::Values(LightType::Spot), ::testing::Values("float32")));
+                                            ::testing::Values(LightType::Spot), ::testing::Values("float32"),
+                                            ::testing::Values(false)));
 
 INSTANTIATE_TEST_SUITE_P(MapsOf16Bits, Tolerance,
                          ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
                                             ::testing::Values(2e-5f, 0.01f), ::testing::Values(LightType::Spot),
-                                            ::testing::Values("unorm16")));
+                                            ::testing::Values("unorm16"), ::testing::Values(false)));
+
+INSTANTIATE_TEST_SUITE_P(MapsInColor, Tolerance,
+                         ::testing::Combine(::testing::Values("atlas", "chunked", "exact", "tiled"),
+                                            ::testing::Values(0.01f), ::testing::Values(LightType::Spot),
+                                            ::testing::Values("float32", "unorm16"), ::testing::Values(true)));
 
 INSTANTIATE_TEST_SUITE_P(MapsOfOtherLights, Tolerance,
                          ::testing::Combine(::testing::Values("chunked"), ::testing::Values(0.0f, 0.01f),
                                             ::testing::Values(LightType::Omni, LightType::Directional),
-                                            ::testing::Values("float32")));
+                                            ::testing::Values("float32"), ::testing::Values(false)));
 
 INSTANTIATE_TEST_SUITE_P(MapsOf16BitsOfOtherLights, Tolerance,
                          ::testing::Combine(::testing::Values("exact"), ::testing::Values(0.01f),
                                             ::testing::Values(LightType::Omni, LightType::Directional),
-                                            ::testing::Values("unorm16")));
+                                            ::testing::Values("unorm16"), ::testing::Values(false)));
 
 std::uint64_t nodesOf(float tolerance) {
   const Path path = mapPath();

@@ -68,6 +68,12 @@ glm::dvec3 colorAt(const TransferFunction& transfer, double value) {
   return interpolate(transfer.color, value, [](const TransferFunction::ColorPoint& p) { return glm::dvec3(p.color); });
 }
 
+glm::dvec3 transmissionAt(const TransferFunction& transfer, double value) {
+  if (transfer.transmission.empty()) return glm::dvec3(0.0);
+  return interpolate(transfer.transmission, value,
+                     [](const TransferFunction::ColorPoint& p) { return glm::dvec3(p.color); });
+}
+
 Grid::Grid(const Volume& volume) : voxels_(decode(*volume.data)), size_(volume.data->size), transfer_(volume.transfer) {
   const glm::dmat4 worldFromIndex = glm::dmat4(volume.worldFromObject) * glm::dmat4(volume.data->objectFromIndex);
   indexFromWorld_ = glm::inverse(worldFromIndex);
@@ -117,6 +123,10 @@ double Grid::extinction(const glm::dvec3& pointWorld) const {
 }
 
 glm::dvec3 Grid::color(const glm::dvec3& pointWorld) const { return colorAt(transfer_, value(pointWorld)); }
+
+glm::dvec3 Grid::transmission(const glm::dvec3& pointWorld) const {
+  return transmissionAt(transfer_, value(pointWorld));
+}
 
 double Grid::voxel(int x, int y, int z) const {
   const auto columns = static_cast<std::size_t>(size_.x);

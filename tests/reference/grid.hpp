@@ -33,6 +33,9 @@ class Grid {
 
   glm::dvec3 color(const glm::dvec3& pointWorld) const;
 
+  /// What of the light's colours gets through where the volume interacts.
+  glm::dvec3 transmission(const glm::dvec3& pointWorld) const;
+
   /// The shortest edge of a voxel in world units.
   double smallestEdge() const { return smallestEdge_; }
 
@@ -54,5 +57,8 @@ double opacityAt(const TransferFunction& transfer, double value);
 
 /// Colour by value: linear between the points, constant outside.
 glm::dvec3 colorAt(const TransferFunction& transfer, double value);
+
+/// The same of the transmission; none without points.
+glm::dvec3 transmissionAt(const TransferFunction& transfer, double value);
 
 }  // namespace cdsm::reference

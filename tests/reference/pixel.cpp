@@ -29,14 +29,16 @@ struct Accumulated {
   }
 };
 
-double remainingAt(const World& world, const Light& light, const glm::dvec3& point, bool receives) {
-  if (!lit(light, point)) return 0.0;
+glm::dvec3 remainingAt(const World& world, const Light& light, const glm::dvec3& point, bool receives) {
+  if (!lit(light, point)) return glm::dvec3(0.0);
   const ShadowSettings& shadows = world.scene.shadows;
-  if (!receives || shadows.technique == "none") return 1.0;
+  if (!receives || shadows.technique == "none") return glm::dvec3(1.0);
   const bool opaque =
       shadows.technique == "shadow-map" || (shadows.technique == "shadow-rays" && shadows.rays == "opaque");
-  if (opaque) return opaqueTransmittance(world, light, point, static_cast<double>(shadows.threshold), kEngineStep);
-  return transmittance(world, light, point);
+  if (opaque)
+    return glm::dvec3(
+        opaqueTransmittance(world, light, point, static_cast<double>(shadows.threshold), kEngineStep));
+  return colorTransmittance(world, light, point);
 }
 
 /// What one light without a shadow adds; `view` points to the camera.
@@ -53,8 +55,8 @@ glm::dvec3 reflected(const Phong& phong, const Light& light, const glm::dvec3& p
 glm::dvec3 shade(const World& world, const Phong& phong, const glm::dvec3& point, const glm::dvec3& view) {
   glm::dvec3 color = phong.diffuse * glm::dvec3(world.scene.image.ambient);
   for (const Light& light : world.scene.lights) {
-    const double remaining = remainingAt(world, light, point, phong.receives);
-    if (remaining > 0.0) color += remaining * reflected(phong, light, point, view);
+    const glm::dvec3 remaining = remainingAt(world, light, point, phong.receives);
+    if (remaining != glm::dvec3(0.0)) color += remaining * reflected(phong, light, point, view);
   }
   return color;
 }

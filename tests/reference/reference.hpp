@@ -25,6 +25,9 @@ bool lit(const Light& light, const glm::dvec3& point);
 /// the extinction), of all that casts a shadow, by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
+/// The same of red, green and blue light, of which the other has the mean: all alike where shadows.transmittance is grey.
+glm::dvec3 colorTransmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
+
 /// 0 if a surface or sample strictly between the light and the point is more opaque than the threshold, else 1. Opacity
 /// of a sample: of each volume at its value, per the volume's unit distance; of an interior per world unit.
 double opaqueTransmittance(const World& world, const Light& light, const glm::dvec3& point, double threshold,
@@ -38,7 +41,8 @@ glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point);
 using Visibility = std::vector<std::pair<double, double>>;
 
 /// The uncompressed visibility function of a ray from a light; depth is `depthPerT` times the length along the ray.
-Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step = kEngineStep);
+/// `channel`: 0 red, 1 green, 2 blue.
+Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step = kEngineStep, int channel = 0);
 
 /// The same for a spot light; `direction` of any length.
 Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step = kEngineStep);

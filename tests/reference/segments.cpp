@@ -137,4 +137,21 @@ double extinction(const World& world, const Segment& segment, const glm::dvec3& 
   return sigma;
 }
 
+glm::dvec3 absorbed(const World& world, const glm::dvec3& transmission) {
+  return world.scene.shadows.transmittance == "rgb" ? 1.0 - transmission : glm::dvec3(1.0);
+}
+
+glm::dvec3 attenuation(const World& world, const Segment& segment, const glm::dvec3& point) {
+  glm::dvec3 sum(0.0);
+  for (int volume : segment.volumes) {
+    const Grid& grid = world.grids[static_cast<std::size_t>(volume)];
+    sum += grid.extinction(point) * absorbed(world, grid.transmission(point));
+  }
+  for (int index : segment.media) {
+    const Mesh& mesh = world.scene.meshes[static_cast<std::size_t>(index)];
+    sum += static_cast<double>(mesh.interiorExtinction) * absorbed(world, glm::dvec3(mesh.interiorTransmission));
+  }
+  return sum;
+}
+
 }  // namespace cdsm::reference

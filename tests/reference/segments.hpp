@@ -48,4 +48,10 @@ double smallestEdge(const World& world, const Segment& segment);
 /// Sum of the extinctions of the segment's volumes and media at a point, 1 / world length.
 double extinction(const World& world, const Segment& segment, const glm::dvec3& point);
 
+/// The same for red, green and blue light on its way: all alike where shadows.transmittance is grey.
+glm::dvec3 attenuation(const World& world, const Segment& segment, const glm::dvec3& point);
+
+/// What is lost of the light's colours where something with this transmission interacts.
+glm::dvec3 absorbed(const World& world, const glm::dvec3& transmission);
+
 }  // namespace cdsm::reference

@@ -199,6 +199,22 @@ void giveRandomRoles(Scene& scene, std::uint32_t seed) {
   for (Spheres& spheres : scene.spheres) give(spheres.shadow);
 }
 
+void giveRandomTransmissions(Scene& scene, std::uint32_t seed) {
+  Random random(seed + 4000u);
+  const auto color = [&random] {
+    glm::vec3 c;
+    for (int channel = 0; channel < 3; ++channel) c[channel] = static_cast<float>(random.uniform(0.0, 1.0));
+    return c;
+  };
+  scene.shadows.transmittance = "rgb";
+  for (Material& material : scene.materials) material.transmission = color();
+  for (Mesh& mesh : scene.meshes) mesh.interiorTransmission = color();
+  for (Volume& volume : scene.volumes) {
+    const auto largest = static_cast<float>(largestValue(volume.data->type));
+    volume.transfer.transmission = {{0.0f, color()}, {0.4f * largest, color()}, {largest, color()}};
+  }
+}
+
 void addRandomSpheres(Scene& scene, std::uint32_t seed) {
   Random random(seed + 4000u);
   for (const bool opaque : {true, false}) {

@@ -30,24 +30,27 @@ double stepOf(const World& world, const Segment& segment, double step) {
   return given > 0.0 ? given : 0.5 * smallestEdge(world, segment);
 }
 
-double surfacesAfter(const World& world, const Segment& segment) {
-  double product = 1.0;
+/// Where the segment's surfaces interact with light, what of its colour gets through is not lost.
+glm::dvec3 surfacesAfter(const World& world, const Segment& segment) {
+  glm::dvec3 product(1.0);
   for (const Crossing& crossing : segment.after) {
-    if (roleOf(world, crossing).casts) product *= 1.0 - static_cast<double>(materialOf(world, crossing).opacity);
+    const Material& material = materialOf(world, crossing);
+    if (!roleOf(world, crossing).casts) continue;
+    product *= 1.0 - static_cast<double>(material.opacity) * absorbed(world, glm::dvec3(material.transmission));
   }
   return product;
 }
 
-/// Calls visit(t, T) at the end of every step and at every surface, in order.
+/// Calls visit(t, T) at the end of every step and at every surface, in order; T: of red, green and blue light.
 template <typename Visit>
 void march(const World& world, const Ray& ray, double length, double step, Visit visit) {
-  double remaining = 1.0;
+  glm::dvec3 remaining(1.0);
   for (const Segment& whole : segmentsOf(world, ray, length)) {
     const Segment segment = castingPart(world, whole);
     const int steps = stepsIn(segment, stepOf(world, segment, step));
     const double h = (segment.end - segment.begin) / steps;
     for (int i = 0; i < steps; ++i) {
-      remaining *= std::exp(-extinction(world, segment, ray.at(segment.begin + (i + 0.5) * h)) * h);
+      remaining *= glm::exp(-attenuation(world, segment, ray.at(segment.begin + (i + 0.5) * h)) * h);
       visit(segment.begin + (i + 1.0) * h, remaining);
     }
     if (segment.after.empty()) continue;
@@ -101,13 +104,19 @@ glm::dvec3 towardsLight(const Light& light, const glm::dvec3& point) {
   return glm::normalize(glm::dvec3(light.position) - point);
 }
 
-double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
+glm::dvec3 colorTransmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
   const glm::dvec3 position = startOf(world, light, point);
   const double distance = glm::length(point - position);
-  if (distance == 0.0) return 1.0;
-  double result = 1.0;
-  march(world, rayTowards(position, point), distance, step, [&](double, double remaining) { result = remaining; });
+  glm::dvec3 result(1.0);
+  if (distance == 0.0) return result;
+  march(world, rayTowards(position, point), distance, step,
+        [&](double, const glm::dvec3& remaining) { result = remaining; });
   return result;
+}
+
+double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step) {
+  const glm::dvec3 colors = colorTransmittance(world, light, point, step);
+  return (colors.r + colors.g + colors.b) / 3.0;
 }
 
 double opaqueTransmittance(const World& world, const Light& light, const glm::dvec3& point, double threshold,
@@ -126,10 +135,10 @@ Visibility visibility(const World& world, const Light& light, const glm::dvec3& 
   return visibility(world, ray, glm::dot(ray.direction, axisOf(light)), step);
 }
 
-Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step) {
+Visibility visibility(const World& world, const Ray& ray, double depthPerT, double step, int channel) {
   Visibility result{{0.0, 1.0}};
   march(world, ray, behindAll(world, ray), step,
-        [&](double t, double remaining) { result.emplace_back(t * depthPerT, remaining); });
+        [&](double t, const glm::dvec3& remaining) { result.emplace_back(t * depthPerT, remaining[channel]); });
   return result;
 }
 

@@ -602,14 +602,7 @@ FRAMES = [
     Case("frames without a format", "0.jpg", NAMELESS + ["--frames", "0:1", "-o", "%d.jpg"]),
 ]
 
-LATER = [
-    settings(f"unsupported {value}", "not supported yet", value)
-    for value in (
-        "shadows.transmittance=rgb",
-        "material.glass.transmission=[0.0, 1.0, 0.0]",
-        "volume.smoke.transmission=color",
-    )
-] + [scene("unsupported ambient occlusion", "'ambient_occlusion' in the scene is not supported yet", b"[[mesh]]",
+LATER = [scene("unsupported ambient occlusion", "'ambient_occlusion' in the scene is not supported yet", b"[[mesh]]",
            b"[ambient_occlusion]\n[[mesh]]")]
 
 CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + COMPARISONS + RUNS + VIEWS + USAGE

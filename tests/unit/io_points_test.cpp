@@ -52,7 +52,7 @@ TEST(PointsFile, ErrorsNameLineAndColumn) {
 
 TEST(PointsFile, WritesRowsInOrderWithTheShortestDigits) {
   std::ostringstream out;
-  io::writeTransmittances(out, {{0.1f, -2, 1e20f}, {1.0f / 3.0f, 0, 5}}, {{1, 0.5f}, {0, 0.0f}});
+  io::writeTransmittances(out, {{0.1f, -2, 1e20f}, {1.0f / 3.0f, 0, 5}}, {{1, 0.5f, {}}, {0, 0.0f, {}}});
   EXPECT_EQ(out.str(), "x,y,z,lit,transmittance\n0.1,-2,1e+20,1,0.5\n0.33333334,0,5,0,0\n");
 }
 
@@ -62,7 +62,7 @@ TEST(PointsFile, WrittenNumbersReadBackAsTheSameFloats) {
   for (int i = 1; i < 200; ++i)
     points.emplace_back(1.0f / static_cast<float>(i), -std::numeric_limits<float>::max() / static_cast<float>(i),
                         std::numeric_limits<float>::denorm_min() * static_cast<float>(i));
-  io::writeTransmittances(folder.path("a.csv"), points, std::vector<Transmittance>(points.size(), {1, 0.25f}));
+  io::writeTransmittances(folder.path("a.csv"), points, std::vector<Transmittance>(points.size(), {1, 0.25f, {}}));
   EXPECT_EQ(folder.files(), 1u);
   std::string text = readBytes(folder.path("a.csv"));
   for (std::size_t at = 0; (at = text.find(",1,0.25\n")) != std::string::npos;) text.erase(at, 7);

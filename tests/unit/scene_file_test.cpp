@@ -324,11 +324,34 @@ TEST_F(SceneFile, TakesAPatchByNumberOrWord) {
   });
 }
 
+TEST_F(SceneFile, ReadsTransmissions) {
+  const Scene scene = read("[shadows]\ntransmittance = 'rgb'\n" + kMaterial + "transmission = [0, 0.5, 1]\n" + kMesh +
+                           "interior_transmission = [1, 0, 0.25]\n" + kVolume + "transmission = 'color'\n");
+  EXPECT_EQ(scene.shadows.transmittance, "rgb");
+  EXPECT_EQ(scene.materials.at(0).transmission, glm::vec3(0.0f, 0.5f, 1.0f));
+  EXPECT_EQ(scene.meshes.at(0).interiorTransmission, glm::vec3(1.0f, 0.0f, 0.25f));
+  const TransferFunction& transfer = scene.volumes.at(0).transfer;
+  ASSERT_EQ(transfer.transmission.size(), transfer.color.size());
+  EXPECT_EQ(transfer.transmission[0].value, transfer.color[0].value);
+  EXPECT_EQ(transfer.transmission[0].color, glm::min(transfer.color[0].color, glm::vec3(1.0f)));
+  const Scene points = read(kVolume + "transmission = [[0, 1, 0, 0], [5, 0, 0.5, 0]]\n");
+  EXPECT_EQ(points.volumes.at(0).transfer.transmission.at(1).color, glm::vec3(0.0f, 0.5f, 0.0f));
+}
+
+TEST_F(SceneFile, RefusesTransmissionsAtTheirPlace) {
+  expectComplaints({
+      {"[shadows]\ntransmittance = 'red'\n", "scene.toml:2:17: unknown transmittance 'red'"},
+      {kMaterial + "transmission = [0, 2, 0]\n", "scene.toml:3:", "transmission"},
+      {kVolume + "transmission = 'colour'\n", "scene.toml:6:16: unknown transmission 'colour'", "color"},
+      {kVolume + "transmission = [[0, 1, 2, 0]]\n", "scene.toml:6:", "transmission"},
+      {kVolume + "transmission = [[1, 0, 0, 0], [0, 0, 0, 0]]\n", "scene.toml:6:", "ascending"},
+      {"[shadows]\ntechnique = 'shadow-map'\ntransmittance = 'rgb'\n", "scene.toml:2:13: the technique shadow-map",
+       "must be 'grey'"},
+  });
+}
+
 TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
   expectComplaints({
-      {"[shadows]\ntransmittance = 'rgb'\n", "scene.toml:2:17: transmittance 'rgb' is not supported yet"},
-      {kMaterial + "transmission = [0, 1, 0]\n", "scene.toml:3:16: transmission other than"},
-      {kVolume + "transmission = 'color'\n", "scene.toml:6:16: transmission other than [] is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
       {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
   });

@@ -25,7 +25,7 @@ struct Corner {
 };
 
 Corner between(const Corner& from, const Corner& to, float part) {
-  const auto mix = [part](float a, float b) { return (1.0f - part) * a + part * b; };
+  const auto mix = [part](float a, float b) { return a + part * (b - a); };
   return {mix(from.value, to.value), mix(from.opacity, to.opacity), mix(from.absorbed, to.absorbed)};
 }
 
@@ -89,7 +89,7 @@ float partOf(const std::pair<Made, Made>& ends, float value) {
 Corner cornerAt(const std::vector<Point>& opacity, const Colors& transmission, int channel, float value, bool behind) {
   const auto opacities = around(opacity, value, behind);
   const auto colors = around(transmission, value, behind);
-  const auto mix = [](float a, float b, float part) { return (1.0f - part) * a + part * b; };
+  const auto mix = [](float a, float b, float part) { return a + part * (b - a); };
   return {value, mix(opacities.first.opacity, opacities.second.opacity, partOf(opacities, value)),
           1.0f - mix(colors.first.color[channel], colors.second.color[channel], partOf(colors, value))};
 }

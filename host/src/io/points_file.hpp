@@ -21,10 +21,12 @@ enum class LightColumns { Transmittance, Colors };
 /// Writes one row per point, in order, in the shortest digits that read back as the same floats. Throws Error if the
 /// numbers of points and answers differ or the stream fails.
 void writeTransmittances(std::ostream& out, const std::vector<glm::vec3>& points,
-                         const std::vector<Transmittance>& transmittances, LightColumns columns);
+                         const std::vector<Transmittance>& transmittances,
+                         LightColumns columns = LightColumns::Transmittance);
 
 /// The same into a file, whole or not at all; "-" is standard output.
 void writeTransmittances(const std::string& path, const std::vector<glm::vec3>& points,
-                         const std::vector<Transmittance>& transmittances, LightColumns columns);
+                         const std::vector<Transmittance>& transmittances,
+                         LightColumns columns = LightColumns::Transmittance);
 
 }  // namespace cdsm::io
