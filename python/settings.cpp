@@ -68,7 +68,8 @@ void bindMaterial(py::module_& module) {
 void addLookup(Fields<ShadowSettings>& fields) {
   fields.field("filter", &ShadowSettings::filter, "'bilinear' or 'nearest'.")
       .field("rays", &ShadowSettings::rays, "Technique 'shadow-rays': 'exact' or 'opaque'.")
-      .field("transmittance", &ShadowSettings::transmittance, "'grey' or 'rgb': whether what light gets through colours it.")
+      .field("transmittance", &ShadowSettings::transmittance,
+             "'grey' or 'rgb': whether what light gets through colours it.")
       .field("threshold", &ShadowSettings::threshold, "Shadow maps: opacity above which all light is stopped.")
       .field("pcf", &ShadowSettings::pcf, "Shadow maps: texels of the filter around the one looked up.")
       .field("samples", &ShadowSettings::samples, "Stochastic maps: texels averaged per lookup, 7, 13 or 21.")

@@ -44,8 +44,9 @@ void addTransmittanceCommand(CLI::App& app) {
   addSceneOptions(*command, *options);
   command->add_option("--light", options->light, "Name of the light")->required();
   command->add_option("--points", options->points, "World points: CSV with the header x,y,z")->required();
-  command->add_option("-o", options->output, "CSV to write: x,y,z,lit,transmittance, or x,y,z,lit,r,g,b if "
-                                                   "shadows.transmittance is rgb [standard output]");
+  command->add_option("-o", options->output,
+                      "CSV to write: x,y,z,lit,transmittance, or x,y,z,lit,r,g,b if "
+                      "shadows.transmittance is rgb [standard output]");
   command->final_callback([options] { answer(*options); });
 }
 

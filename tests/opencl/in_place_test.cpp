@@ -180,7 +180,7 @@ Scene tenObjects() {
 
 TEST(MovedObject, BringsItsMatrixAlong) {
   const auto points = somePoints(300);
-  constexpr std::uint64_t kRecord = 112, kMedium = 160;  // bytes of an object, of a medium
+  constexpr std::uint64_t kRecord = 128, kMedium = 176;  // bytes of an object, of a medium
   constexpr std::uint64_t kMaps = 2 * 208;               // of a map with its list
   Scene scene = tenObjects();
   Engine engine;

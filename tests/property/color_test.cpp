@@ -49,11 +49,10 @@ Scene layers() {
   Scene scene = reference::emptyScene();
   scene.lights.front().type = LightType::Directional;
   scene.lights.front().direction = {0.0f, -1.0f, 0.0f};
-  const int volume = reference::addVolume(
-      scene,
-      reference::makeVolume(VoxelType::UInt8, glm::uvec3(8), {-2.0f, 0.5f, -2.0f}, {2.0f, 1.5f, 2.0f},
-                            [](const auto&) { return 1.0; }),
-      reference::constantOpacity(0.4f, 1.0f));
+  const int volume = reference::addVolume(scene,
+                                          reference::makeVolume(VoxelType::UInt8, glm::uvec3(8), {-2.0f, 0.5f, -2.0f},
+                                                                {2.0f, 1.5f, 2.0f}, [](const auto&) { return 1.0; }),
+                                          reference::constantOpacity(0.4f, 1.0f));
   scene.volumes[std::size_t(volume)].transfer.transmission = {{0.0f, kTransmission}};
   const int box = reference::addMesh(scene, reference::boxMesh({-2.0f, -0.5f, -2.0f}, {2.0f, 0.0f, 2.0f}),
                                      reference::addMaterial(scene, glm::vec3(1.0f), 0.0f));

@@ -87,8 +87,7 @@ TexelRay texelRay(const reference::World& world, int column, int row) {
   const double depthPerT = frame.depthPerT(column, row);
   TexelRay ray;
   for (int channel = 0; channel < 3; ++channel)
-    ray.visibilities.push_back(
-        reference::visibility(world, line, depthPerT, reference::kEngineStep, channel));
+    ray.visibilities.push_back(reference::visibility(world, line, depthPerT, reference::kEngineStep, channel));
   const Visibility& red = ray.visibilities.front();  // all have the same depths
   const double first = 0.5 * red[1].first;
   const double last = red.back().first + 0.5;
@@ -134,7 +133,8 @@ TEST_P(Tolerance, boundsTheCompression) {
       largest = std::max(largest, error);
     }
   }
-  std::cout << memory << ", " << format << (colored ? ", in colour" : "") << ", tolerance " << tolerance << ": largest error " << largest << "\n";
+  std::cout << memory << ", " << format << (colored ? ", in colour" : "") << ", tolerance " << tolerance
+            << ": largest error " << largest << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, Tolerance,

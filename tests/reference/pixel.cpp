@@ -36,8 +36,7 @@ glm::dvec3 remainingAt(const World& world, const Light& light, const glm::dvec3&
   const bool opaque =
       shadows.technique == "shadow-map" || (shadows.technique == "shadow-rays" && shadows.rays == "opaque");
   if (opaque)
-    return glm::dvec3(
-        opaqueTransmittance(world, light, point, static_cast<double>(shadows.threshold), kEngineStep));
+    return glm::dvec3(opaqueTransmittance(world, light, point, static_cast<double>(shadows.threshold), kEngineStep));
   return colorTransmittance(world, light, point);
 }
 

@@ -25,7 +25,8 @@ bool lit(const Light& light, const glm::dvec3& point);
 /// the extinction), of all that casts a shadow, by the midpoint rule. `step`: world units, kFineStep or kEngineStep.
 double transmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
-/// The same of red, green and blue light, of which the other has the mean: all alike where shadows.transmittance is grey.
+/// The same of red, green and blue light, of which the other has the mean: all alike where shadows.transmittance is
+/// grey.
 glm::dvec3 colorTransmittance(const World& world, const Light& light, const glm::dvec3& point, double step = kFineStep);
 
 /// 0 if a surface or sample strictly between the light and the point is more opaque than the threshold, else 1. Opacity

@@ -79,8 +79,8 @@ void addRandomSpheres(Scene& scene, std::uint32_t seed);
 /// Lets each object cast or not and receive or not, by chance. The same for the same seed.
 void giveRandomRoles(Scene& scene, std::uint32_t seed);
 
-/// Lets surfaces, interiors and volumes colour the light that gets through, and sets shadows.transmittance to "rgb". The
-/// same for the same seed.
+/// Lets surfaces, interiors and volumes colour the light that gets through, and sets shadows.transmittance to "rgb".
+/// The same for the same seed.
 void giveRandomTransmissions(Scene& scene, std::uint32_t seed);
 
 /// An omni light "key" among a random scene's objects and a directional light "fill". The same for the same seed.

@@ -71,8 +71,7 @@ TEST(AttenuationCurve, FollowsOpacityAndTransmissionTogether) {
       EXPECT_NEAR(onCurve(curve, value), exactInColor(transfer, value, channel), 3e-4 * largest)
           << value << ", channel " << channel;
     for (double value = -0.1; value < 1.2; value += 0.00103)
-      EXPECT_NEAR(onCurve(other, value), exactInColor(steps, value, channel), 5e-4)
-          << value << ", channel " << channel;
+      EXPECT_NEAR(onCurve(other, value), exactInColor(steps, value, channel), 5e-4) << value << ", channel " << channel;
     EXPECT_TRUE(std::is_sorted(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a.x < b.x; }));
   }
 }

@@ -49,9 +49,9 @@ struct Order {
   cl_event* done = nullptr;     ///< gets an event that the caller releases; null: the call waits for the end
 };
 
-/// As Engine::transmittance() for the scene that was given last: `count` times Engine::channels() floats into `values`, -1
-/// where not lit, as for points that are not finite. With Order::done the work may still run when the call returns: both buffers must stay,
-/// and stats() knows no times of it.
+/// As Engine::transmittance() for the scene that was given last: `count` times Engine::channels() floats into `values`,
+/// -1 where not lit, as for points that are not finite. With Order::done the work may still run when the call returns:
+/// both buffers must stay, and stats() knows no times of it.
 CDSM_API void transmittance(Engine& engine, const std::string& light, const Points& points, cl_mem values,
                             const Order& order = {});
 
@@ -68,8 +68,8 @@ class CDSM_API Lookup {
   Lookup& operator=(Lookup&&) noexcept;
 
   /// OpenCL C that comes in front of the text of the kernels. It changes with the technique, the memory strategy, the
-  /// format of nodes, the colours of transmittance, the cache, the types of the volumes and whether there are spheres, with nothing else: a program
-  /// that was made with it can be used as long as it is the same.
+  /// format of nodes, the colours of transmittance, the cache, the types of the volumes and whether there are spheres,
+  /// with nothing else: a program that was made with it can be used as long as it is the same.
   const std::string& source() const;
   /// To compile it with: else results may differ in the last bits.
   const std::string& buildOptions() const;

@@ -120,7 +120,7 @@ class DeviceScene {
   std::vector<shared::ObjectData> hostObjects_;
   std::vector<std::uint32_t> mediumLists_;
   std::vector<shared::MediumData> hostMedia_;
-  std::vector<unsigned> mediumOwner_;  ///< per medium: the object whose role it has, a mesh or a volume's box
+  std::vector<unsigned> mediumOwner_;            ///< per medium: the object whose role it has, a mesh or a volume's box
   std::vector<ExtinctionCurve> curves_;          ///< of grey light
   std::vector<float> extinctionLut_, lightLut_;  ///< as the camera sees it, and where light is attenuated
   std::vector<float> eitherLut_;                 ///< the larger of both

@@ -69,7 +69,8 @@ ExtinctionCurve curveOf(const std::vector<Corner>& corners, float unitDistance) 
   return curve;
 }
 
-/// The points on both sides of the one where a function of points gets to `value`: from below, or (`behind`) from above.
+/// The points on both sides of the one where a function of points gets to `value`: from below, or (`behind`) from
+/// above.
 template <class Made>
 std::pair<Made, Made> around(const std::vector<Made>& points, float value, bool behind) {
   const auto next = std::find_if(points.begin(), points.end(), [=](const Made& point) {

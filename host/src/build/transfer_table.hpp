@@ -14,7 +14,7 @@ namespace cdsm::build {
 struct TransferTable {
   float scale = 0.0f;
   float bias = 0.0f;
-  std::vector<shared::float4> entries;  ///< rgb and extinction (1 / world length); at least two
+  std::vector<shared::float4> entries;        ///< rgb and extinction (1 / world length); at least two
   std::vector<shared::float4> towardsLights;  ///< for each entry: extinction that red, green, blue and grey light meet
 };
 

@@ -12,7 +12,8 @@ namespace cdsm::io {
 
 enum class MapFileLayout { Scanlines, Tiles };
 
-/// Writes channels A, Z and ZBack, and AR, AG and AB where the maps have colours. An earlier file stays if it fails. Throws Error, also if there are no maps.
+/// Writes channels A, Z and ZBack, and AR, AG and AB where the maps have colours. An earlier file stays if it fails.
+/// Throws Error, also if there are no maps.
 void writeLightMaps(const std::string& path, const Light& light, const std::vector<LightMap>& maps,
                     MapFileLayout layout);
 

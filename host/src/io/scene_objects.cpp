@@ -144,8 +144,7 @@ Mesh readMeshTable(const toml::table& table, const Scene& scene, AssetCache& ass
   mesh.worldFromObject = readTransform(reader);
   mesh.interiorExtinction = reader.number("interior_extinction", mesh.interiorExtinction, scene::kNotNegative);
   mesh.interiorColor = reader.vector("interior_color", mesh.interiorColor, scene::kNotNegative);
-  mesh.interiorTransmission =
-      reader.vector("interior_transmission", mesh.interiorTransmission, scene::kUnitInterval);
+  mesh.interiorTransmission = reader.vector("interior_transmission", mesh.interiorTransmission, scene::kUnitInterval);
   mesh.shadow = readShadowRole(reader);
   reader.locate("file", [&] { mesh.data = assets.mesh(file); });
   reader.locate("file", [&] { scene::validateMesh(mesh, scene.materials.size(), assets.checks()); });

@@ -15,7 +15,8 @@ Chunked::Chunked(device::Device& device, const NodeFormat& format)
       scan_(device),
       store_(device, format),
       counters_(device, 1, "build counters"),
-      gatherNodes_(device, device.programs().get({"memory/gather_nodes.cl",
+      gatherNodes_(device,
+                   device.programs().get({"memory/gather_nodes.cl",
                                           {nodeFormatDefine(format), spectrumDefine(spectrumNamed(format.spectrum))},
                                           {}}),
                    "gatherNodes") {}
@@ -30,8 +31,8 @@ void Chunked::reserveChunks(std::size_t chunks) {
   chunkNext_ = {};
   chunkRoom_ = chunks;
   chunkDepths_ = Floats(device_, chunks * CDSM_CHUNK_NODES, "depths of chunks");
-  chunkValues_ = Floats(device_, spectrumNamed(format().spectrum).stride * chunks * CDSM_CHUNK_NODES,
-                        "transmittances of chunks");
+  chunkValues_ =
+      Floats(device_, spectrumNamed(format().spectrum).stride * chunks * CDSM_CHUNK_NODES, "transmittances of chunks");
   chunkNext_ = Uints(device_, chunks, "links of chunks");
 }
 

@@ -18,7 +18,8 @@ std::uint64_t wide(shared::uint low, shared::uint high) { return std::uint64_t(h
 
 int tileChunks(const device::Device& device, const Spectrum& spectrum) {
   const std::size_t nodeBytes = (1 + spectrum.channels) * sizeof(float);
-  const std::size_t chunkBytes = CDSM_CHUNK_NODES * nodeBytes + sizeof(std::uint32_t);  // and the number of the next one
+  const std::size_t chunkBytes =
+      CDSM_CHUNK_NODES * nodeBytes + sizeof(std::uint32_t);  // and the number of the next one
   // a quarter, so that several groups are in flight; more than 1024 (128 nodes per texel) would leave the caches
   const std::size_t bytes = std::size_t(device.description().localMemoryBytes) / 4;
   return int(std::clamp<std::size_t>(bytes / chunkBytes, 128, 1024));

@@ -37,8 +37,8 @@ void MapReader::run(const Scene& scene, const build::DeviceScene& deviceScene,
   Uints starts(device_, texels + 1, "first nodes");
   const std::size_t count = scan_(texels, counts, starts), floats = 1 + deviceScene.spectrum().channels;
   const Floats nodes(device_, floats * count, "nodes of a map");
-  device::Kernel<std::uint32_t, shared::MemoryParams, Uints, Floats, device::ArgumentList> copyMapNodes(device_, program,
-                                                                                                       "copyMapNodes");
+  device::Kernel<std::uint32_t, shared::MemoryParams, Uints, Floats, device::ArgumentList> copyMapNodes(
+      device_, program, "copyMapNodes");
   copyMapNodes({"copy map nodes", {texels}, {64}}, std::uint32_t(index), memory, starts, nodes, technique.arguments());
 
   map.firstNode = starts.download();

@@ -29,7 +29,8 @@ void QueryPass::run(const QueryScene& in, std::size_t light, const glm::vec3* po
   if (count == 0) return;
   const float* first = &points->x;
   const std::size_t valueCount = in.deviceScene.spectrum().channels * count;
-  const bool inPlace = Floats::canBeInPlace(device_, first, 3 * count) && Floats::canBeInPlace(device_, values, valueCount);
+  const bool inPlace =
+      Floats::canBeInPlace(device_, first, 3 * count) && Floats::canBeInPlace(device_, values, valueCount);
   if (!inPlace) {
     const Floats results(device_, valueCount, "transmittances");
     run(in, light, {Floats::fromHost(device_, first, 3 * count, "points"), count}, results);

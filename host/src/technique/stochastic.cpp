@@ -27,8 +27,8 @@ shared::uint turn(double part) { return shared::uint(std::min(std::floor(part * 
 void drawPublished(shared::DepthParams& params) { params.jitter = turn(1.0); }
 
 /// Grey light has three photons per texel for one transmittance: their numbers are a third of a turn apart, so that a
-/// third of a turn is what has to be spread over the texels. Those of colours share a number, as published: what is grey
-/// stays grey.
+/// third of a turn is what has to be spread over the texels. Those of colours share a number, as published: what is
+/// grey stays grey.
 void drawStratified(shared::DepthParams& params, int samples, bool colored) {
   const Lattice& lattice = *std::find_if(std::begin(kLattices), std::end(kLattices),
                                          [&](const Lattice& candidate) { return candidate.samples == samples; });
