@@ -88,6 +88,7 @@ const Wrong kWrong[] = {
     {"noProperty", [](Shadows& s) { s.filter->SetVolumeProperty(nullptr); }, "there is no volume property"},
     {"opacityAboveOne", [](Shadows& s) { spoilOpacity(s, 1.5); }, "opacity is 1.5"},
     {"nanOpacity", [](Shadows& s) { spoilOpacity(s, kNaN); }, "opacity is nan"},
+    {"noOpacity", [](Shadows& s) { s.property()->GetScalarOpacity()->RemoveAllPoints(); }, "opacity has no points"},
     {"unitDistance", [](Shadows& s) { s.property()->SetScalarOpacityUnitDistance(0); }, "unit_distance is 0"},
     {"gradientOpacity",
      [](Shadows& s) {

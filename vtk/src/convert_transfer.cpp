@@ -113,7 +113,7 @@ void appendEnds(const Curve& curve, std::vector<Point>& points) {
 }
 
 std::vector<Point> pointsOf(const Curve& curve) {
-  if (curve.nodes.empty()) return {{0.0, glm::dvec3(0.0)}};
+  if (curve.nodes.empty()) return {};
   std::vector<Point> points = {{curve.nodes.front().at, curve.nodes.front().value}};
   for (std::size_t i = 1; i < curve.nodes.size(); ++i) appendSegment(curve, curve.nodes[i - 1], curve.nodes[i], points);
   if (!curve.clamped) appendEnds(curve, points);
