@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pipelines of ParaView with the plugin, run by pvpython: paraview_pipelines.py FOLDER_OF_THE_MODULES"""
+"""Pipelines of ParaView with the plugin, run by pvpython with the folder of the modules in PYTHONPATH."""
 import sys
 import unittest
 

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""ParaView's plugin, and the filters with ParaView's own VTK, in pvpython: run_paraview.py FOLDER_OF_THE_MODULES
+"""ParaView's plugin, its example, and the filters with ParaView's own VTK, in pvpython: run_paraview.py MODULES
+
+MODULES is the folder that they are in.
 
 Skipped where there is no pvpython (Debian's python3-paraview), or one of another Python than the modules'."""
 import os
@@ -12,6 +14,7 @@ import sys
 SKIPPED = 77  # the tests' SKIP_RETURN_CODE
 TIMEOUT_SECONDS = 300
 HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLE = HERE.parents[1] / "examples/vtk/paraview_wavelet.py"
 
 
 def run(pvpython, module, *arguments):
@@ -25,10 +28,10 @@ def main():
     if not pvpython:
         print("skipped: there is no pvpython")
         sys.exit(SKIPPED)
-    for script in HERE / "run_python.py", HERE / "paraview_pipelines.py":
-        status = run(pvpython, module, script, module)
+    for command in (HERE / "run_python.py", module), (HERE / "paraview_pipelines.py",), (EXAMPLE,):
+        status = run(pvpython, module, *command)
         if status:
-            print(f"{script.name}: exit status {status}")
+            print(f"{command[0].name}: exit status {status}")
             sys.exit(SKIPPED if status == SKIPPED else 1)
 
 
