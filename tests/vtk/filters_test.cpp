@@ -151,26 +151,37 @@ TEST(Filters, multiplySurfaces) {
   EXPECT_EQ(valuesOf(filter->GetOutput()), expected);
 }
 
-TEST(Filters, biasLiftsPointsOffTheirOwnSurface) {
+TEST(Filters, biasMovesPointsTowardsTheLight) {
   vtkNew<vtkCdsmTransmittanceFilter> filter;
   setUp(filter);
-  const auto surface = square(1.0);
-  filter->SetInputData(0, surface);
-  filter->AddInputData(2, surface);
-  filter->SetLightTypeToSpot();
-  filter->SetLightPosition(0, 20, 0);
-  filter->SetLightCutoff(60);
-  filter->SetMapSize(512);
-  filter->SetBias(0.01);
-  filter->Update();
-  EXPECT_EQ(valuesOf(filter->GetOutput()), std::vector<float>(5, 1.0f));
-  filter->SetLightPosition(0, -20, 0);  // lit from below, points lifted downwards
-  filter->Update();
-  EXPECT_EQ(valuesOf(filter->GetOutput()), std::vector<float>(5, 1.0f));
-  filter->SetBias(0);
+  filter->SetInputData(0, square(1.0));
+  filter->AddInputData(2, square(2.0));
   filter->AddInputData(2, square(0.0));
-  filter->Update();
-  EXPECT_EQ(valuesOf(filter->GetOutput()), std::vector<float>(5, 0.0f));
+  filter->SetMapSize(512);
+  filter->SetLightCutoff(60);
+  for (const int type : {vtkCdsmFilter::DIRECTIONAL, vtkCdsmFilter::OMNI, vtkCdsmFilter::SPOT})
+    for (const double side : {1.0, -1.0}) {  // light from above, and from below
+      filter->SetLightType(type);
+      filter->SetLightPosition(0, 20 * side, 0);
+      filter->SetLightDirection(0, -side, 0);
+      for (const double bias : {0.0, 0.9, 1.8, 90.0}) {  // the last one only to where the light is
+        filter->SetBias(bias);
+        filter->Update();
+        EXPECT_EQ(valuesOf(filter->GetOutput())[4], bias > 1.0 ? 1.0f : 0.0f) << type << " " << side << " " << bias;
+      }
+    }
+}
+
+TEST(Filters, passOnNoArrayOfTheirNameThatIsNotTheirs) {
+  vtkNew<vtkCdsmShadowFilter> first, second;
+  setUp(first);
+  first->SetInputData(filledImage(VTK_FLOAT));
+  second->SetInputConnection(first->GetOutputPort());
+  second->SetMapSize(0);
+  const ErrorLog log(second);
+  second->Update();
+  EXPECT_TRUE(first->GetOutput()->GetPointData()->HasArray("Transmittance"));
+  EXPECT_FALSE(second->GetOutput()->GetPointData()->HasArray("Transmittance"));
 }
 
 TEST(Filters, giveFullLightWithoutCasters) {
@@ -194,11 +205,9 @@ TEST(Filters, askForTheWholeImage) {
   filter->SetLightTypeToOmni();
   filter->SetLightPosition(4, 30, 4);
   filter->GetVolumeProperty()->SetScalarOpacityUnitDistance(20);
-  filter->Update();
-  const std::vector<float> whole = valuesOf(filter->GetOutput());
-  filter->Modified();
   filter->UpdateExtent(std::array<int, 6>{2, 4, 2, 4, 2, 4}.data());
-  EXPECT_EQ(valuesOf(filter->GetOutput()), whole);
+  const std::vector<float> whole = valuesOf(filter->GetOutput());
+  EXPECT_EQ(whole.size(), 1000u);
   EXPECT_LT(*std::min_element(whole.begin(), whole.end()), 0.9f);
 }
 

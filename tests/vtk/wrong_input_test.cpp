@@ -136,7 +136,10 @@ TEST_P(WrongInput, isToldAndForgiven) {
   setUp(setup.filter);
   setup.filter->AddInputData(1, setup.surface);
   setup.filter->SetInputData(setup.image);
+  setup.filter->Update();
   GetParam().spoil(setup);
+  setup.image->Modified();
+  setup.surface->Modified();
   {
     const ErrorLog log(setup.filter);
     setup.filter->Update();

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The filters of cdsm_vtk against formulas and against the engine itself."""
 import gc
+import itertools
 import unittest
 import weakref
 
@@ -105,22 +106,30 @@ class Filters(unittest.TestCase):
         query.Update()
         np.testing.assert_array_equal(pipelines.values_of(query), [1, 0.5, 0.25])
 
-    def test_bias_lifts_points_off_their_own_surface(self):
+    def test_bias_moves_points_towards_the_light(self):
         query = pipelines.set_up(cdsm_vtk.vtkCdsmTransmittanceFilter())
         query.SetInputData(pipelines.square(1))
-        query.AddInputData(2, pipelines.square(1))
-        query.SetMapSize(512)
-        query.SetLightType("spot")
-        query.SetLightCutoff(60)
-        query.SetBias(0.01)
-        for height in 20, -20:
-            query.SetLightPosition(0, height, 0)
-            query.Update()
-            np.testing.assert_array_equal(pipelines.values_of(query), np.ones(5))
-        query.SetBias(0)
+        query.AddInputData(2, pipelines.square(2))
         query.AddInputData(2, pipelines.square(0))
-        query.Update()
-        np.testing.assert_array_equal(pipelines.values_of(query), np.zeros(5))
+        query.SetMapSize(512)
+        query.SetLightCutoff(60)
+        for kind, side in itertools.product(("directional", "omni", "spot"), (1, -1)):  # from above, from below
+            query.SetLightType(kind)
+            query.SetLightPosition(0, 20 * side, 0)
+            query.SetLightDirection(0, -side, 0)
+            for bias in 0, 0.9, 1.8, 90:  # the last one only to where the light is
+                query.SetBias(bias)
+                query.Update()
+                self.assertEqual(pipelines.values_of(query)[4], bias > 1, (kind, side, bias))
+
+    def test_arrays_of_their_name_are_not_passed_on(self):
+        second = cdsm_vtk.vtkCdsmShadowFilter()
+        second.SetInputConnection(self.shadows.GetOutputPort())
+        second.SetMapSize(0)
+        pipelines.errors_of(second)
+        second.Update()
+        self.assertIsNotNone(pipelines.values_of(self.shadows))
+        self.assertIsNone(pipelines.values_of(second))
 
     def test_the_whole_image_is_asked_for(self):
         source, shadows = vtkRTAnalyticSource(), cdsm_vtk.vtkCdsmShadowFilter()
@@ -129,12 +138,9 @@ class Filters(unittest.TestCase):
         shadows.SetLightType("omni")
         shadows.SetLightPosition(4, 30, 4)
         shadows.GetVolumeProperty().SetScalarOpacityUnitDistance(20)
-        shadows.Update()
-        whole = pipelines.values_of(shadows).copy()
-        shadows.Modified()
         shadows.UpdateExtent([2, 4, 2, 4, 2, 4])
-        np.testing.assert_array_equal(pipelines.values_of(shadows), whole)
-        self.assertLess(whole.min(), 0.9)
+        self.assertEqual(len(pipelines.values_of(shadows)), 1000)
+        self.assertLess(pipelines.values_of(shadows).min(), 0.9)
 
     def test_nothing_changed_means_no_execution(self):
         self.shadows.Update()

@@ -112,6 +112,7 @@ class WrongInput(unittest.TestCase):
             pipelines.set_up(shadows)
             shadows.SetInputData(image)
             shadows.AddInputData(1, surface)
+            shadows.Update()
             errors = pipelines.errors_of(shadows)
             with self.subTest(number=number, message=message):
                 try:
@@ -119,6 +120,8 @@ class WrongInput(unittest.TestCase):
                 except (TypeError, cdsm.Error) as error:  # told at once
                     errors.append(str(error))
                 else:
+                    image.Modified()
+                    surface.Modified()
                     shadows.Update()
                     self.assertIsNone(pipelines.values_of(shadows))
                 self.assertRegex("\n".join(errors), message)
