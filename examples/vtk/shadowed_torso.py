@@ -12,7 +12,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401, VTK draws with it
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOGeometry import vtkOBJReader
@@ -58,7 +58,7 @@ def torso_property():
 
 
 def place_teapot():
-    reader, moved, place = vtkOBJReader(), vtkTransformPolyDataFilter(), vtkTransform()
+    reader, moved, place = vtkOBJReader(), vtkTransformFilter(), vtkTransform()
     reader.SetFileName(str(DATA / "teapot.obj"))
     place.Translate(95, 20, -5)
     place.RotateZ(-20)

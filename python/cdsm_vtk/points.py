@@ -7,6 +7,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPointSet, vtkRectilin
 import cdsm
 from cdsm_vtk.convert import world_from_index
 
+MOST_OF_THE_WAY = 0.999  # where the light is itself, there is no way from it
+
 
 def _grid_points(dataset, first, last):
     """World points of an image or rectilinear grid, by their numbers."""
@@ -35,4 +37,4 @@ def moved(points, light, bias):
         return points - bias * np.array(light.direction) / np.linalg.norm(light.direction)
     way = np.array(light.position) - points
     length = np.linalg.norm(way, axis=1, keepdims=True)
-    return points + way * (np.minimum(bias, length) / np.maximum(length, 1e-30))
+    return points + way * (np.minimum(bias, MOST_OF_THE_WAY * length) / np.maximum(length, 1e-30))

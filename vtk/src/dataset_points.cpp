@@ -9,6 +9,12 @@
 
 namespace cdsm::vtk {
 
+namespace {
+
+constexpr double kMostOfTheWay = 0.999;  ///< where the light is itself, there is no way from it
+
+}  // namespace
+
 DatasetPoints::DatasetPoints(vtkDataSet& dataset, const Light& light, double bias)
     : dataset_(dataset), light_(light), bias_(bias) {
   auto* const set = vtkPointSet::SafeDownCast(&dataset);
@@ -22,7 +28,7 @@ glm::dvec3 DatasetPoints::moved(const glm::dvec3& point) const {
   if (light_.type == LightType::Directional) return point - bias_ * glm::normalize(glm::dvec3(light_.direction));
   const glm::dvec3 way = glm::dvec3(light_.position) - point;
   const double length = glm::length(way);
-  return length > 0.0 ? point + way * (std::min(bias_, length) / length) : point;
+  return length > 0.0 ? point + way * (std::min(bias_, kMostOfTheWay * length) / length) : point;
 }
 
 const glm::vec3* DatasetPoints::read(vtkIdType first, vtkIdType count) {

@@ -117,7 +117,7 @@ class Filters(unittest.TestCase):
             query.SetLightType(kind)
             query.SetLightPosition(0, 20 * side, 0)
             query.SetLightDirection(0, -side, 0)
-            for bias in 0, 0.9, 1.8, 90:  # the last one only to where the light is
+            for bias in 0, 0.9, 1.8, 90:  # the last one only almost to where the light is
                 query.SetBias(bias)
                 query.Update()
                 self.assertEqual(pipelines.values_of(query)[4], bias > 1, (kind, side, bias))
