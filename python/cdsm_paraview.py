@@ -14,8 +14,8 @@ _INPUT = """<InputProperty name="{name}" port_index="{port}" command="{command}"
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
   <DataTypeDomain name="input_type" composite_data_supported="0"><DataType value="{type}"/></DataTypeDomain>
   {domain}<Hints>{hints}</Hints><Documentation>{text}</Documentation></InputProperty>"""
-_SCALARS = """<StringVectorProperty name="Scalars" command="SetInputArrayToProcess" number_of_elements="5"
-    element_types="0 0 0 0 2" default_values="0 {port} 0 0 0">
+_SCALARS = """<StringVectorProperty name="Scalars" command="SetScalars" number_of_elements="5"
+    element_types="0 0 0 0 2">
   <ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="scalars">
     <RequiredProperties><Property name="{input}" function="Input"/></RequiredProperties></ArrayListDomain>
   <Documentation>Of the image's points: float, signed or unsigned char or short.</Documentation></StringVectorProperty>"""
@@ -51,9 +51,9 @@ def _described(kind, properties):
             name=name, port=port, type=data, text=kind.__doc__, hints="<Optional/>" if port else "",
             command="AddInputConnection" if many else "SetInputConnection",
             more='multiple_input="1" clean_command="ClearSurfaces"' if many else "",
-            domain='<InputArrayDomain name="scalars" attribute_type="point" number_of_components="1" optional="1"/>'
+            domain='<InputArrayDomain name="scalars" attribute_type="point" number_of_components="1"/>'
             if port == kind.IMAGE else ""))
-    parts += [_SCALARS.format(port=kind.IMAGE, input=names["vtkImageData"]), _OPACITY]
+    parts += [_SCALARS.format(input=names["vtkImageData"]), _OPACITY]
     for number, name, count, default, domain in properties:
         parts.append(_VECTOR.format(kind=number, name=name, count=count, default=default, domain=domain,
                                     text=getattr(kind, "Set" + name).__doc__ or name))
@@ -64,6 +64,10 @@ class _Offered:
     def __init__(self):
         super().__init__()
         self.SetScalarOpacity(None)  # OpacityPoints count until a function is given
+
+    def SetScalars(self, _index, _port, _connection, association, name):
+        """Of the image, whatever port ParaView thinks that it is at."""
+        self.SetInputArrayToProcess(0, self.IMAGE, 0, int(association), name)
 
 
 class CdsmShadow(_Offered, vtkCdsmShadowFilter):

@@ -39,6 +39,16 @@ class Plugin(unittest.TestCase):
         self.shadows.ScalarOpacityUnitDistance = 100
         self.assertGreater(self.darkest(), by_points)
 
+    def test_the_array_is_chosen_as_in_other_filters(self):
+        early = simple.CdsmShadow(Input=simple.Wavelet(), LightType="Directional", OpacityPoints=[LOW, 0, HIGH, OPACITY])
+        self.assertLess(self.darkest(early), 0.5)  # the active one
+        self.wavelet.UpdatePipeline()
+        query = simple.CdsmTransmittance(Input=simple.Plane(), Image=self.wavelet)
+        for proxy in simple.CdsmShadow(Input=self.wavelet), query:
+            self.assertEqual(list(proxy.Scalars), ["POINTS", "RTData"])
+        query.OpacityPoints, query.LightType = [LOW, 0, HIGH, OPACITY], "Directional"
+        self.assertLess(self.darkest(query), 0.9)
+
     def test_surfaces_come_and_go(self):
         alone = self.darkest()
         spheres = [simple.Sphere(Center=[0, 20, 0], Radius=radius) for radius in (4, 6)]
