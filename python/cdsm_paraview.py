@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ParaView's plugin: the filters "Cdsm Shadow" and "Cdsm Transmittance". LoadPlugin("cdsm_paraview.py"), with the folder
-of the modules cdsm and cdsm_vtk in PYTHONPATH. docs/vtk.md explains."""
+"""ParaView's plugin: the filters "Cdsm Shadow" and "Cdsm Transmittance".
+
+LoadPlugin("cdsm_paraview.py"), with the folder of the modules cdsm and cdsm_vtk in PYTHONPATH. docs/vtk.md explains."""
 import inspect
 
 from cdsm_vtk import vtkCdsmShadowFilter, vtkCdsmTransmittanceFilter
@@ -18,7 +19,8 @@ _SCALARS = """<StringVectorProperty name="Scalars" command="SetScalars" number_o
     element_types="0 0 0 0 2">
   <ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="scalars">
     <RequiredProperties><Property name="{input}" function="Input"/></RequiredProperties></ArrayListDomain>
-  <Documentation>Of the image's points: float, signed or unsigned char or short.</Documentation></StringVectorProperty>"""
+  <Documentation>Of the image's points: float, signed or unsigned char or short.</Documentation>
+</StringVectorProperty>"""
 _VECTOR = """<{kind}VectorProperty name="{name}" command="Set{name}" number_of_elements="{count}"
   default_values="{default}">{domain}<Documentation>{text}</Documentation></{kind}VectorProperty>"""
 _OPACITY = """<ProxyProperty name="ScalarOpacity" command="SetScalarOpacity">

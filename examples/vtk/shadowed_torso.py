@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A chest CT drawn by VTK, without and with shadows from cdsm: shadowed_torso.py PICTURE.png [HEIGHT_IN_PIXELS]
 
-VTK's own mappers draw all of it; the filters only say how much light is where. PYTHONPATH names the folder of the modules
-cdsm and cdsm_vtk. Without a display: xvfb-run -a python3 shadowed_torso.py PICTURE.png"""
+VTK's own mappers draw all of it; the filters only say how much light is where. PYTHONPATH names the folder of the
+modules cdsm and cdsm_vtk. Without a display: xvfb-run -a python3 shadowed_torso.py PICTURE.png"""
 import pathlib
 import sys
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pipeline of VTK's with the filters of cdsm: the light in a volume, and on a plane below it. Exit status 0 if there is
-// a shadow.
+// A pipeline of VTK's with the filters of cdsm: the light in a volume, and on a plane below it. Exit status 0 if there
+// is a shadow.
 #include <cstdio>
 
+#include <cdsm/vtk/vtkCdsmShadowFilter.h>
+#include <cdsm/vtk/vtkCdsmTransmittanceFilter.h>
 #include <vtkDataSet.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
@@ -11,8 +13,6 @@
 #include <vtkRTAnalyticSource.h>
 #include <vtkSphereSource.h>
 #include <vtkVolumeProperty.h>
-#include <cdsm/vtk/vtkCdsmShadowFilter.h>
-#include <cdsm/vtk/vtkCdsmTransmittanceFilter.h>
 
 namespace {
 

@@ -3,7 +3,8 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
+from vtkmodules.vtkRenderingCore import (VTK_CTF_LINEAR, VTK_CTF_RGB, vtkColorTransferFunction,
+                                         vtkVolumeProperty)
 
 import cdsm
 
@@ -12,34 +13,45 @@ MOST_HALVINGS = 13  # of the way between two nodes, for steps have no end
 SHARES = 1024       # of the range of values: how far a function without clamping reaches past its end
 
 
-def _bent(value_at, a, b, halvings):
-    """Points (at, values...) behind a up to b, as many as it takes for straight lines to be near enough."""
-    at = [a[0] + share * (b[0] - a[0]) for share in (0.25, 0.5, 0.75)]
-    off = [np.abs(value_at(x) - (a[1:] + share * (b[1:] - a[1:]))).max() for x, share in zip(at, (0.25, 0.5, 0.75))]
-    if halvings == 0 or not max(off) > TOLERANCE:
-        return [b]
-    middle = np.array([at[1], *value_at(at[1])])
-    return _bent(value_at, a, middle, halvings - 1) + _bent(value_at, middle, b, halvings - 1)
+class _Curve:
+    """A function of VTK, whichever of its two kinds: rows (value, opacity) or (value, red, green, blue)."""
 
-
-def _points_of(function):
-    """Rows (value, opacity) or (value, red, green, blue) with straight lines in between."""
-    size, colors = function.GetSize(), isinstance(function, vtkColorTransferFunction)
-    nodes = [[0.0] * (6 if colors else 4) for _ in range(size)]
-    for i, node in enumerate(nodes):
-        function.GetNodeValue(i, node)
-    straight = not function.GetUseLogScale() if not colors else (function.GetColorSpace(), function.GetScale()) == (0, 0)
-    value_at = (lambda x: np.array(function.GetColor(x))) if colors else (lambda x: np.array([function.GetValue(x)]))
-    points = [np.array(node[:-2]) for node in nodes[:1]]
-    for (a, (midpoint, sharpness)), b in zip(((n[:-2], n[-2:]) for n in nodes), nodes[1:]):
-        a, b = np.array(a), np.array(b[:-2])
-        if b[0] > a[0] and not (straight and midpoint == 0.5 and sharpness == 0):
-            at = a[0] + midpoint * (b[0] - a[0])  # the curve has a corner there
-            corner = np.array([at, *value_at(at)])
-            points += _bent(value_at, a, corner, MOST_HALVINGS) + _bent(value_at, corner, b, MOST_HALVINGS)
+    def __init__(self, function):
+        self.of_colors = isinstance(function, vtkColorTransferFunction)
+        self.function = function
+        nodes = [[0.0] * (6 if self.of_colors else 4) for _ in range(function.GetSize())]
+        for number, node in enumerate(nodes):
+            function.GetNodeValue(number, node)
+        self.rows = [np.array(node[:-2]) for node in nodes]
+        self.bends = [tuple(node[-2:]) for node in nodes]  # midpoint and sharpness of the way to the next node
+        if self.of_colors:
+            self.straight = function.GetColorSpace() == VTK_CTF_RGB and function.GetScale() == VTK_CTF_LINEAR
         else:
-            points.append(b)
-    return points if function.GetClamping() or not points else _with_ends(points, all(n[0] == n[0] // 1 for n in nodes))
+            self.straight = not function.GetUseLogScale()
+
+    def row_at(self, at):
+        return np.array([at, *(self.function.GetColor(at) if self.of_colors else [self.function.GetValue(at)])])
+
+    def bent(self, a, b, halvings=MOST_HALVINGS):
+        """Rows behind a up to b, as many as it takes for straight lines to be near enough, judged at their quarters."""
+        quarters = [self.row_at(a[0] + share * (b[0] - a[0])) for share in (0.25, 0.5, 0.75)]
+        off = [np.abs(row - (a + share * (b - a)))[1:].max() for row, share in zip(quarters, (0.25, 0.5, 0.75))]
+        if halvings == 0 or not max(off) > TOLERANCE:
+            return [b]
+        return self.bent(a, quarters[1], halvings - 1) + self.bent(quarters[1], b, halvings - 1)
+
+    def points(self):
+        """Rows with straight lines in between."""
+        points = self.rows[:1]
+        for a, b, (midpoint, sharpness) in zip(self.rows, self.rows[1:], self.bends):
+            if not b[0] > a[0] or self.straight and (midpoint, sharpness) == (0.5, 0):
+                points.append(b)
+            else:
+                corner = self.row_at(a[0] + midpoint * (b[0] - a[0]))
+                points += self.bent(a, corner) + self.bent(corner, b)
+        if self.function.GetClamping() or not points:
+            return points
+        return _with_ends(points, all(row[0] == np.floor(row[0]) for row in self.rows))
 
 
 def _with_ends(points, whole):
@@ -59,13 +71,13 @@ def transfer_function(volume_property):
     if volume_property.GetTransferFunctionMode() != vtkVolumeProperty.TF_1D:
         raise cdsm.Error("the transfer function is of two dimensions, must be of one (SetTransferFunctionMode(TF_1D))")
     if not volume_property.GetDisableGradientOpacity() and volume_property.HasGradientOpacity():
-        if any(opacity != 1 for _, opacity in _points_of(volume_property.GetStoredGradientOpacity())):
+        if any(opacity != 1 for _, opacity in _Curve(volume_property.GetStoredGradientOpacity()).rows):
             raise cdsm.Error("opacity depends on the gradient, must not (DisableGradientOpacityOn())")
     if volume_property.GetColorChannels() == 1:
-        color = [(x, grey, grey, grey) for x, grey in _points_of(volume_property.GetGrayTransferFunction())]
+        color = [(x, grey, grey, grey) for x, grey in _Curve(volume_property.GetGrayTransferFunction()).points()]
     else:
-        color = _points_of(volume_property.GetRGBTransferFunction())
-    return cdsm.TransferFunction(opacity=_points_of(volume_property.GetScalarOpacity()), color=color,
+        color = _Curve(volume_property.GetRGBTransferFunction()).points()
+    return cdsm.TransferFunction(opacity=_Curve(volume_property.GetScalarOpacity()).points(), color=color,
                                  unit_distance=volume_property.GetScalarOpacityUnitDistance())
 
 
@@ -102,7 +114,8 @@ def mesh(surface):
     count = surface.GetNumberOfPoints()
     points = vtk_to_numpy(surface.GetPoints().GetData()) if count else np.zeros((0, 3))
     if not np.isfinite(points).all():
-        raise cdsm.Error(f"point {np.argmin(np.isfinite(points).all(axis=1))} of a surface is not finite, must be numbers")
+        wrong = np.argmin(np.isfinite(points).all(axis=1))
+        raise cdsm.Error(f"point {wrong} of a surface is not finite, must be numbers")
     for cells in surface.GetPolys(), surface.GetStrips():
         corners = vtk_to_numpy(cells.GetConnectivityArray()) if cells.GetNumberOfConnectivityIds() else np.zeros(0)
         for wrong in corners[(corners < 0) | (corners >= count)][:1]:

@@ -30,8 +30,9 @@ def _require(value, kind, what):
 
 
 class _Filter(VTKPythonAlgorithmBase):
-    """What both filters share: a light, what casts shadows, and an engine that is kept, so that only what has changed is
-    built again. Errors are told as VTK's own are (ErrorEvent); the array is then missing, and the filter can be used on."""
+    """What both filters share: a light, what casts shadows, and an engine that is kept, so that only what has changed
+    is built again. Errors are told as VTK's own are (ErrorEvent); the array is then missing, and the filter can be used
+    on."""
 
     TYPES = ("vtkDataSet",)  # of the ports
     IMAGE, SURFACES = 0, 1   # ports of what casts
@@ -161,8 +162,8 @@ class _Filter(VTKPythonAlgorithmBase):
         self._engine, self._volume, self._scalars, self._image_time, self._meshes = None, None, None, 0, {}
 
     def _watch(self, *_):
-        """Executes again when the volume property or a function of it changes: VTK asks no filter in Python for the time
-        of its modification."""
+        """Executes again when the volume property or a function of it changes: VTK asks no filter in Python for the
+        time of its modification."""
         for thing, tag in self._watched:
             thing.RemoveObserver(tag)
         this = weakref.ref(self)
@@ -195,12 +196,15 @@ class _Filter(VTKPythonAlgorithmBase):
 
     def _scalars_of(self, image):
         wanted = self.GetInputArrayInformation(0)
+        name, kind = wanted.Get(vtkDataObject.FIELD_NAME()), wanted.Get(vtkDataObject.FIELD_ATTRIBUTE_TYPE())
+        points = image.GetPointData()
+        scalars = points.GetArray(name) if name else points.GetAttribute(kind)
         if wanted.Get(vtkDataObject.FIELD_ASSOCIATION()) == vtkDataObject.FIELD_ASSOCIATION_CELLS:
-            raise cdsm.Error("the image's array is of its cells, must be of its points; vtkCellDataToPointData makes one")
-        name, points = wanted.Get(vtkDataObject.FIELD_NAME()), image.GetPointData()
-        scalars = points.GetArray(name) if name else points.GetAttribute(wanted.Get(vtkDataObject.FIELD_ATTRIBUTE_TYPE()))
+            raise cdsm.Error("the image's array is of its cells, must be of its points; "
+                             "vtkCellDataToPointData makes one")
         if scalars is None and image.GetCellData().GetNumberOfArrays():
-            raise cdsm.Error("the image has no scalars of its points, only of its cells; vtkCellDataToPointData makes some")
+            raise cdsm.Error("the image has no scalars of its points, only of its cells; "
+                             "vtkCellDataToPointData makes some")
         if scalars is None:
             raise cdsm.Error("the image has no scalars of its points, or not those of SetInputArrayToProcess()")
         return scalars

@@ -40,13 +40,14 @@ class Plugin(unittest.TestCase):
         self.assertGreater(self.darkest(), by_points)
 
     def test_the_array_is_chosen_as_in_other_filters(self):
-        early = simple.CdsmShadow(Input=simple.Wavelet(), LightType="Directional", OpacityPoints=[LOW, 0, HIGH, OPACITY])
+        opacity = [LOW, 0, HIGH, OPACITY]
+        early = simple.CdsmShadow(Input=simple.Wavelet(), LightType="Directional", OpacityPoints=opacity)
         self.assertLess(self.darkest(early), 0.5)  # the active one
         self.wavelet.UpdatePipeline()
         query = simple.CdsmTransmittance(Input=simple.Plane(), Image=self.wavelet)
         for proxy in simple.CdsmShadow(Input=self.wavelet), query:
             self.assertEqual(list(proxy.Scalars), ["POINTS", "RTData"])
-        query.OpacityPoints, query.LightType = [LOW, 0, HIGH, OPACITY], "Directional"
+        query.OpacityPoints, query.LightType = opacity, "Directional"
         self.assertLess(self.darkest(query), 0.9)
 
     def test_surfaces_come_and_go(self):
@@ -59,7 +60,8 @@ class Plugin(unittest.TestCase):
         self.assertEqual(self.darkest(), alone)
 
     def test_other_points_are_asked_about(self):
-        floor = simple.Plane(Origin=[-9, -15, -9], Point1=[9, -15, -9], Point2=[-9, -15, 9], XResolution=20, YResolution=20)
+        floor = simple.Plane(Origin=[-9, -15, -9], Point1=[9, -15, -9], Point2=[-9, -15, 9], XResolution=20,
+                             YResolution=20)
         query = simple.CdsmTransmittance(Input=floor, Image=self.wavelet, Scalars=["POINTS", "RTData"],
                                          OpacityPoints=[LOW, 0, HIGH, OPACITY], LightType="Directional")
         self.assertLess(self.darkest(query), 0.5)

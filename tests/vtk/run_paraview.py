@@ -4,7 +4,7 @@
 
 MODULES is the folder that they are in.
 
-Skipped where there is no pvpython (Debian's python3-paraview), or one of another Python than the modules'."""
+Skipped where there is none with its module (Debian's python3-paraview), or it is of another Python than cdsm."""
 import os
 import pathlib
 import shutil
@@ -25,14 +25,13 @@ def run(pvpython, module, *arguments):
 
 def main():
     module, pvpython = sys.argv[1], shutil.which("pvpython")
-    if not pvpython:
-        print("skipped: there is no pvpython")
+    if not pvpython or run(pvpython, module, "-c", "import paraview, cdsm"):
+        print("skipped: there is no pvpython that has the modules paraview and cdsm")
         sys.exit(SKIPPED)
     for command in (HERE / "run_python.py", module), (HERE / "paraview_pipelines.py",), (EXAMPLE,):
         status = run(pvpython, module, *command)
         if status:
-            print(f"{command[0].name}: exit status {status}")
-            sys.exit(SKIPPED if status == SKIPPED else 1)
+            sys.exit(f"{command[0].name}: exit status {status}")
 
 
 if __name__ == "__main__":

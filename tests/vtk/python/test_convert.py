@@ -52,7 +52,8 @@ class Convert(unittest.TestCase):
         for first, past in (10, 21), (10.5, 20.01):
             function = function_of((first, 0.5), (20, 0.75), Clamping=0)
             rows = np.array(converted(function).opacity)
-            np.testing.assert_allclose(np.interp([first - 0.001, 20, past], rows[:, 0], rows[:, 1]), [0, 0.75, 0], atol=1e-6)
+            around = np.interp([first - 0.001, 20, past], rows[:, 0], rows[:, 1])
+            np.testing.assert_allclose(around, [0, 0.75, 0], atol=1e-6)
             np.testing.assert_allclose(rows[:2], [(first, 0), (first, 0.5)])
 
     def test_colors_are_followed_in_their_space(self):
