@@ -2,6 +2,8 @@
 """Objects of VTK as those of a cdsm.Scene, for scripts that render or query with an engine of their own, too."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkRenderingCore import (VTK_CTF_LINEAR, VTK_CTF_RGB, vtkColorTransferFunction,
                                          vtkVolumeProperty)
@@ -11,6 +13,13 @@ import cdsm
 TOLERANCE = 1e-3    # of opacities and colours, where VTK's curve is bent
 MOST_HALVINGS = 13  # of the way between two nodes, for steps have no end
 SHARES = 1024       # of the range of values: how far a function without clamping reaches past its end
+
+
+def require(value, kind, what):
+    """Raises TypeError unless the value is of this type; numbers are (float, int)."""
+    if not isinstance(value, kind):
+        name = "number" if isinstance(kind, tuple) else kind.__name__
+        raise TypeError(f"{what} {value!r}, must be a {name}")
 
 
 class _Curve:
@@ -66,8 +75,7 @@ def _with_ends(points, whole):
 
 def transfer_function(volume_property):
     """A vtkVolumeProperty's component 0 as cdsm.TransferFunction, right to 0.001 where its curves are bent."""
-    if not isinstance(volume_property, vtkVolumeProperty):
-        raise TypeError(f"the volume property is {volume_property!r}, must be a vtkVolumeProperty")
+    require(volume_property, vtkVolumeProperty, "the volume property is")
     if volume_property.GetTransferFunctionMode() != vtkVolumeProperty.TF_1D:
         raise cdsm.Error("the transfer function is of two dimensions, must be of one (SetTransferFunctionMode(TF_1D))")
     if not volume_property.GetDisableGradientOpacity() and volume_property.HasGradientOpacity():
@@ -89,6 +97,8 @@ def world_from_index(image):
 
 def volume(image, scalars):
     """A vtkImageData with one of its arrays of points, read in place, as cdsm.Volume without transfer function."""
+    require(image, vtkImageData, "the image is")
+    require(scalars, vtkDataArray, "the scalars are")
     name = scalars.GetName() or "scalars"
     if scalars.GetNumberOfComponents() != 1:
         raise cdsm.Error(f"the array '{name}' has {scalars.GetNumberOfComponents()} components, must have one; "
@@ -111,6 +121,7 @@ def volume(image, scalars):
 
 def mesh(surface):
     """Polygons and strips of a vtkPolyData as cdsm.Mesh, copied; None if there is no triangle."""
+    require(surface, vtkPolyData, "the surface is")
     count = surface.GetNumberOfPoints()
     points = vtk_to_numpy(surface.GetPoints().GetData()) if count else np.zeros((0, 3))
     if not np.isfinite(points).all():

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 import cdsm
-from cdsm_vtk.convert import mesh, transfer_function, volume
+from cdsm_vtk.convert import mesh, require, transfer_function, volume
 from cdsm_vtk.points import moved, points_between
 
 BATCH = 1 << 20  # points asked about at once
@@ -21,12 +21,6 @@ LIGHT = "light"
 
 class _Aborted(Exception):
     """Somebody set AbortExecute."""
-
-
-def _require(value, kind, what):
-    if not isinstance(value, kind):
-        name = "number" if isinstance(kind, tuple) else kind.__name__
-        raise TypeError(f"{what} {value!r}, must be a {name}")
 
 
 class _Filter(VTKPythonAlgorithmBase):
@@ -94,7 +88,7 @@ class _Filter(VTKPythonAlgorithmBase):
 
     def SetVolumeProperty(self, volume_property):
         """Opacities and unit distance of the image's component 0. There is one from the beginning."""
-        _require(volume_property, vtkVolumeProperty, "the volume property is")
+        require(volume_property, vtkVolumeProperty, "the volume property is")
         self._set("_property", volume_property)
         self._watch()
 
@@ -117,7 +111,7 @@ class _Filter(VTKPythonAlgorithmBase):
 
     def SetSurfaceOpacity(self, opacity):
         """Of one crossing of the surfaces, in [0, 1]. Default: 1."""
-        _require(opacity, (float, int), "the opacity is")
+        require(opacity, (float, int), "the opacity is")
         self._set("_surface_opacity", opacity)
 
     def ClearSurfaces(self):
@@ -125,7 +119,7 @@ class _Filter(VTKPythonAlgorithmBase):
 
     def SetShadows(self, shadows):
         """Technique, size of maps, tolerance and the like, a cdsm.ShadowSettings; those below are of them."""
-        _require(shadows, cdsm.ShadowSettings, "shadows is")
+        require(shadows, cdsm.ShadowSettings, "shadows is")
         self._set("_shadows", shadows)
 
     def GetShadows(self):
@@ -142,13 +136,13 @@ class _Filter(VTKPythonAlgorithmBase):
 
     def SetArrayName(self, name):
         """Of the array that is added. Default: Transmittance."""
-        _require(name, str, "the array name is")
+        require(name, str, "the array name is")
         self._set("_array_name", name)
 
     def SetDevice(self, device):
         """OpenCL device: 'platform:device' or part of a name. Default: CDSM_DEVICE, else the first usable."""
         device = "" if device is None else device  # as ParaView says ""
-        _require(device, str, "the device is")
+        require(device, str, "the device is")
         if device != self._device:
             self.Drop()
         self._set("_device", device)
@@ -315,5 +309,5 @@ class vtkCdsmTransmittanceFilter(_Filter):
     def SetBias(self, length):
         """World units by which points are moved towards the light before they are asked about, at least 0. Points of a
         surface that casts itself need some. Default: 0."""
-        _require(length, (float, int), "Bias is")
+        require(length, (float, int), "Bias is")
         self._set("_bias", length)

@@ -14,6 +14,8 @@
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkVolumeProperty.h>
+#include <cdsm/error.hpp>
+#include <cdsm/vtk/convert.hpp>
 
 namespace cdsm::tests {
 
@@ -166,6 +168,14 @@ TEST_P(WrongInput, isToldAndForgiven) {
 
 INSTANTIATE_TEST_SUITE_P(All, WrongInput, testing::ValuesIn(kWrong),
                          [](const testing::TestParamInfo<Wrong>& info) { return info.param.name; });
+
+TEST(WrongInput, ofConversionsIsTold) {
+  vtkNew<vtkImageData> image;
+  EXPECT_THROW(vtk::transferFunction(nullptr), Error);
+  EXPECT_THROW(vtk::volume(nullptr, nullptr), Error);
+  EXPECT_THROW(vtk::volume(image, nullptr), Error);
+  EXPECT_THROW(vtk::meshData(nullptr), Error);
+}
 
 TEST(WrongInput, ofQueriesIsTold) {
   vtkNew<vtkCdsmTransmittanceFilter> filter;
