@@ -60,7 +60,8 @@ py::array_t<float> resultArray(const py::object& given, const std::vector<py::ss
 
 void checkApart(const py::array& input, const py::array& results, const std::string& what) {
   const auto begin = [](const py::array& array) { return reinterpret_cast<std::uintptr_t>(array.data()); };
-  const auto end = [&](const py::array& array) { return begin(array) + std::uintptr_t(array.nbytes()); };
+  // not array.nbytes(), by which pybind11 before 2.12 reads NumPy 2 in the wrong place
+  const auto end = [&](const py::array& array) { return begin(array) + array.attr("nbytes").cast<std::uintptr_t>(); };
   if (begin(input) < end(results) && begin(results) < end(input))
     throw Error(what + " memory that is read from as well, must be an array of its own");
 }

@@ -20,13 +20,15 @@ def version():
 
 
 def build_module(folder):
-    """The files of the module for the Python that runs this, built in `folder`."""
+    """The module for the Python that runs this, built in `folder`: where, and its files."""
     if not (folder / "CMakeCache.txt").exists():
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DCDSM_TESTS=OFF",
                         f"-DCDSM_PYTHON_EXECUTABLE={sys.executable}"], check=True)
     subprocess.run(["cmake", "--build", folder, "--target", "cdsm_python", "--parallel", str(os.cpu_count())],
                    check=True)
-    return [folder / "python" / ("cdsm" + sysconfig.get_config_var("EXT_SUFFIX")), folder / "python/cdsm.pyi"]
+    made = folder / "python"
+    scripts = sorted([*made.glob("cdsm_*.py"), *made.glob("cdsm_vtk/*.py")])
+    return made, [made / ("cdsm" + sysconfig.get_config_var("EXT_SUFFIX")), made / "cdsm.pyi", *scripts]
 
 
 def tag():
@@ -42,7 +44,8 @@ def record_line(name, content):
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     folder = pathlib.Path((config_settings or {}).get("build", ROOT / "build/pip")).resolve()
     info = f"cdsm-{version()}.dist-info"
-    contents = {path.name: path.read_bytes() for path in build_module(folder)}
+    made, files = build_module(folder)
+    contents = {str(path.relative_to(made)): path.read_bytes() for path in files}
     contents[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: cdsm\nVersion: {version()}\nLicense: Apache-2.0\n"
                                     "Requires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
     contents[f"{info}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: cdsm\nRoot-Is-Purelib: false\n"

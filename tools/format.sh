@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -t files < <(find host tests examples python \( -name '*.cpp' -o -name '*.hpp' \) -print | sort)
+mapfile -t files < <(find host tests examples python vtk \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) -print | sort)
 if [ "${1:-}" = --check ]; then
   said=$(clang-format --dry-run "${files[@]}" 2>&1 | sed -n 's/^\([^: ]*\):[0-9]*:[0-9]*: warning: code should be.*/\1/p' | uniq -c)
   [ -z "$said" ] || { echo "places to format, by file:" && echo "$said" && exit 1; }

@@ -27,6 +27,12 @@ build(${root}/examples examples)
 run(${work}/examples/ten_minutes)
 run(${work}/examples/ray_caster ${work}/ray_caster.ppm)
 
+file(GLOB_RECURSE vtk ${work}/prefix/cdsmVtkTargets.cmake)
+if(vtk)
+  build(${root}/examples/vtk examples_vtk)
+  run(${work}/examples_vtk/wavelet)
+endif()
+
 find_program(PKG_CONFIG pkg-config)
 if(PKG_CONFIG)
   file(GLOB_RECURSE pc ${work}/prefix/cdsm.pc)

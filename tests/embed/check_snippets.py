@@ -2,18 +2,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Code in the documentation is code of the examples: check_snippets.py PAGE FOLDER_OF_EXAMPLES
 
-Each block of C++ or OpenCL C on the page must be in one of the examples, line by line. Prints those that are not; exit
+Each block of C++, OpenCL C or Python on the page must be in one of the examples, line by line. Prints those that are not; exit
 status 1 if there is one."""
 import pathlib
 import re
 import sys
 
-BLOCK = re.compile(r"^```(?:cpp|c)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(?:cpp|c|python)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def main():
     page = pathlib.Path(sys.argv[1])
-    examples = [path.read_text() for path in sorted(pathlib.Path(sys.argv[2]).glob("*.cpp"))]
+    examples = [path.read_text() for path in sorted(pathlib.Path(sys.argv[2]).iterdir()) if path.is_file()]
     blocks = BLOCK.findall(page.read_text())
     missing = [block for block in blocks if not any("\n" + block in text for text in examples)]
     for block in missing:

@@ -30,7 +30,8 @@ class Pip(unittest.TestCase):
                                    cwd=folder, env={"PYTHONPATH": folder})
             self.assertTrue(said.startswith(folder), said)
             self.assertIn(cdsm.__version__, said)
-            self.assertTrue((pathlib.Path(folder) / "cdsm.pyi").exists())
+            for file in "cdsm.pyi", "cdsm_vtk/filters.py", "cdsm_paraview.py":
+                self.assertTrue((pathlib.Path(folder) / file).exists(), file)
             listed = self.run_python("-m", "pip", "list", "--path", folder)
             self.assertRegex(listed, r"cdsm +" + cdsm.__version__)
 

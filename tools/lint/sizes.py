@@ -10,6 +10,7 @@ PARTS = {
     "host": ["host/**/*.cpp", "host/**/*.hpp"],
     "kernels": ["kernels/**/*.cl", "kernels/**/*.clh", "kernels/**/*.h"],
     "python": ["python/*.cpp", "python/*.hpp"],
+    "vtk": ["vtk/**/*.cpp", "vtk/**/*.hpp", "vtk/**/*.h"],
     "tests": ["tests/**/*.cpp", "tests/**/*.hpp"],
 }
 # Comments, strings, characters and preprocessor lines (continued ones whole), any of which may hold braces.

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["host", "kernels", "python", "tests", "examples", "tools", ".ci"]
+FOLDERS = ["host", "kernels", "python", "vtk", "tests", "examples", "tools", ".ci"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".cl", ".clh", ".py", ".pyi", ".sh", ".cmake"}
 NAMES = {"CMakeLists.txt", "run"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
