@@ -39,6 +39,7 @@ constexpr Suite kSuites[] = {
     {"memory", "strategies and formats of nodes, [SCENE...] with [--map-sizes]", benchMemory},
     {"techniques", "frames of all techniques, cached and not (Ropinski's Tables 1 and 2)", benchTechniques},
     {"clustering", "error of shadows and times, with clusters and without", benchClustering},
+    {"query", "points a second from arrays of the host, beside the bare kernel", benchQuery},
     {"stochastic", "stochastic shadows against maps (Weidner's Tables 3 and 4)", benchStochastic},
 };
 

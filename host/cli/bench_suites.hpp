@@ -41,4 +41,7 @@ std::vector<Table> benchMemory(const BenchOptions& options);
 /// [Ropinski 2008, Tables 1 and 2]: techniques with and without a shadow volume, camera or light moving.
 std::vector<Table> benchTechniques(const BenchOptions& options);
 
+/// Transmittances at points in arrays of the host, and what the call costs beside the kernel.
+std::vector<Table> benchQuery(const BenchOptions& options);
+
 }  // namespace cdsm::cli

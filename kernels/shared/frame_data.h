@@ -51,9 +51,10 @@ CDSM_SIZE(QueryParams, 16);
 /// Part of one light's shadow volume of one volume.
 typedef struct FillParams {
   Affine worldFromIndex;
-  uint firstVoxel, lastVoxel;  ///< those in between are filled, the last one not
+  uint firstCell;  ///< macrocell of the first group
   uint light;
   uint medium;
+  uint padding;
 } FillParams;
 CDSM_SIZE(FillParams, 64);
 

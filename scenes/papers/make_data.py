@@ -15,7 +15,7 @@ try:
 except ImportError:
     sys.exit("make_data.py: needs NumPy (Debian: apt-get install python3-numpy)")
 
-from generate import car, fog, meshes, particles, plumes, shapes, spheres, volumes
+from generate import car, fog, meshes, particles, plumes, shapes, spheres, volumes, walnut
 
 HERE = pathlib.Path(__file__).resolve().parent
 TARGET = HERE / "generated"
@@ -51,6 +51,13 @@ def ball_volume(path):
     edge = 2.0 / 128
     volumes.write_nrrd(path, spheres.balls(128), (edge, edge, edge), (0.5 * edge - 1, 0.5 * edge + 0.02, 0.5 * edge - 1),
                        "translucent balls")
+
+
+def nut(path):
+    """Two units long, lying on y = 0."""
+    edge = 2.0 / (walnut.FILL * walnut.SIZE[2])
+    low = [-0.5 * edge * (walnut.SIZE[2] - 1), 0.5 * edge, -0.5 * edge * (walnut.SIZE[0] - 1)]
+    volumes.write_nrrd(path, walnut.density(seed=7), (edge, edge, edge), low, "a made-up walnut")
 
 
 def fog_bank(path):
@@ -98,6 +105,7 @@ RECIPES = {
                        eddy=0.9, spread=0.018, puffs=0.8, seed=8),
     "fog.nrrd": fog_bank,
     "balls.nrrd": ball_volume,
+    "walnut.nrrd": nut,
     "million.xyz.gz": million,
     "capsid.xyz.gz": virus,
     "torso_256.nrrd": coarser(2),

@@ -38,7 +38,7 @@ SCENES = ("papers/clustering/camera_a", "papers/clustering/camera_b", "papers/cl
           "papers/test-spheres/scene")
 TABLES = {"tolerance": ["5.8", "5.9", "5.10"], "clustering": ["error", "frame", "cpu", "path"],
           "memory": ["0", "1", "2"], "techniques": ["ours", "paper", "cached"],
-          "stochastic": ["weidner-3", "weidner-4", "memory", "noise"]}
+          "query": ["query"], "stochastic": ["weidner-3", "weidner-4", "memory", "noise"]}
 ARGUMENTS = {"memory": ["{scenes}/papers/xray/overview.toml", "--map-sizes", "512,2048"]}
 NO_FIGURE = "error, "  # rows of these labels may lack figures: functions that are not compressed fit small maps alone
 

@@ -105,8 +105,8 @@ CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
             F(hides) CDSM_END CDSM_BEGIN(SceneSphere) F(sphere) F(color) CDSM_END
     CDSM_BEGIN(MediumData) F(indexFromWorld) F(specular) F(interior) F(attenuation) F(size) F(cells) F(lutScale)
         F(lutBias) F(lutOffset) F(lutLast) F(step) F(shading) F(boxObject) F(receives) F(firstShadowBlock) F(padding0)
-            F(padding1) F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(firstVoxel) F(lastVoxel)
-                F(light) F(medium) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
+            F(padding1) F(padding2) CDSM_END CDSM_BEGIN(FillParams) F(worldFromIndex) F(firstCell) F(light) F(medium)
+                F(padding) CDSM_END CDSM_BEGIN(CellParams) F(cells) F(lutScale) F(lutBias) F(lutLast)
                     F(padding) CDSM_END
 
     template <class T>

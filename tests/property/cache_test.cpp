@@ -148,6 +148,28 @@ INSTANTIATE_TEST_SUITE_P(Techniques, Cached, ::testing::Values("deep-shadow-map"
                            return name;
                          });
 
+/// Only what is seen somewhere is filled: under a pane that lets half of the light through, a voxel that was left out
+/// would show as brighter, wherever in a macrocell that is not empty it has a say, borders included.
+TEST(CachedVoxels, areFilledWhereverTheyAreInterpolated) {
+  const glm::uvec3 size{29, 20, 18};  // the last macrocells are cut off
+  const auto speck = [](const glm::dvec3& p) {
+    return glm::length(p - glm::dvec3(-0.2, -0.4, -0.55)) < 0.2 ? 1.0 : 0.0;
+  };
+  Scene scene = reference::emptyScene();
+  reference::addVolume(scene, reference::makeVolume(VoxelType::UInt8, size, kLow, kHigh, speck),
+                       reference::linearOpacity(255.0, 0.01f, 1.0f));
+  addMesh(scene, reference::quadMesh({0.0f, 1.5f, 0.0f}, {9.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 9.0f}),
+          addMaterial(scene, glm::vec3(0.8f), 0.5f));
+  scene = cached(along({"shadow-rays", "chunked", "bilinear", "buffer"}, scene, kMapSize, kTolerance));
+  std::vector<glm::vec3> points;
+  for (unsigned z = 0; z <= 2 * size.z; ++z)
+    for (unsigned y = 0; y <= 2 * size.y; ++y)
+      for (unsigned x = 0; x <= 2 * size.x; ++x)
+        points.push_back(kLow + glm::vec3(x, y, z) / (2.0f * glm::vec3(size)) * (kHigh - kLow));
+  Engine engine{EngineOptions{}};
+  for (const Transmittance& t : engine.transmittance(scene, "key", points)) ASSERT_LE(t.transmittance, 0.51f);
+}
+
 /// A plane in clear air within a volume's box, of any tilt, lies in nobody's shadow.
 TEST(CachedSurfaces, doNotShadowThemselves) {
   for (const glm::vec3 tilt : {glm::vec3(0.0f), glm::vec3(0.3f, 0.0f, 0.0f), glm::vec3(0.2f, 0.0f, 0.7f)}) {

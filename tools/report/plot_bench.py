@@ -263,11 +263,20 @@ def plot_stochastic(results):
     return figure
 
 
+def plot_query(results):
+    table = results["tables"][0]
+    figure, (axis,) = panels(1, 4.5, 3.2)
+    bar_pairs(axis, table, ("host arrays, at least", "bare kernel"), ("from arrays of the host", "bare kernel"))
+    axis.set_ylabel("million points / s")
+    figure.tight_layout()
+    return figure
+
+
 PLOTS = {
     "demo": plot_demo, "map-size": plot_map_size, "volume-size": plot_variants, "tolerance": plot_variants,
     "objects": plot_objects, "chunks": plot_chunks, "gallery": plot_gallery, "clustering": plot_clustering,
     "memory": plot_memory, "techniques": plot_techniques,
-    "stochastic": plot_stochastic,
+    "query": plot_query, "stochastic": plot_stochastic,
 }
 
 

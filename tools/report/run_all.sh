@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 python=${PYTHON:-python3}
 runs=${1:-5}
 options=("${@:2}")
-suites="demo map-size volume-size tolerance objects chunks memory techniques stochastic gallery clustering"
+suites="demo map-size volume-size tolerance objects chunks memory techniques query stochastic gallery clustering"
 
 [ -x build/cdsm ] || { echo "error: there is no build/cdsm; bash tools/demo.sh builds it" >&2; exit 1; }
 "$python" -c "import numpy, matplotlib" || {

@@ -109,7 +109,7 @@ void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   medium.receives = volume.shadow.receives;
   medium.boxObject = volume.boundary < 0 ? ~0u : boxObject(scene, volume);
   medium.firstShadowBlock = shared::uint(shadowBlocks_);
-  grids_.push_back({affineOf(worldFromIndex), size.x * size.y * size.z, shared::uint(hostMedia_.size())});
+  grids_.push_back({affineOf(worldFromIndex), cells.x * cells.y * cells.z, shared::uint(hostMedia_.size())});
   shadowBlocks_ += (std::size_t(size.x) * size.y * size.z + CDSM_SHADOW_BLOCK - 1) / CDSM_SHADOW_BLOCK;
   addTables(table);
   colorLut_.insert(colorLut_.end(), table.entries.begin(), table.entries.end());

@@ -26,7 +26,7 @@ namespace cdsm::build {
 /// The voxels of a volume as points in the world.
 struct VolumeGrid {
   shared::Affine worldFromIndex;
-  shared::uint voxels;
+  shared::uint cells;   ///< number of its macrocells
   shared::uint medium;  ///< number of its medium
 };
 

@@ -9,7 +9,8 @@ namespace cdsm::render {
 
 namespace {
 
-constexpr std::uint32_t kVoxelsOfLaunch = 1u << 20;  ///< so that no launch keeps a display waiting
+constexpr std::size_t kRowsOfCell = CDSM_MACROCELL * CDSM_MACROCELL;
+constexpr std::size_t kCellsOfLaunch = 2048;  ///< a million voxels, so that no launch keeps a display waiting
 constexpr const char* kStep = "shadow volume";
 
 }  // namespace
@@ -41,7 +42,8 @@ void ShadowVolume::fill(const build::DeviceScene& deviceScene, std::size_t light
   voxels_ = {};
   voxels_ = device::Buffer<std::uint16_t>(device_, lightCount * voxels, "shadow volumes");
   voxels_.fill(std::uint16_t(CDSM_SHADOW_ONE));
-  std::size_t done = 0;
+  std::size_t done = 0, all = 0;
+  for (const build::VolumeGrid& grid : deviceScene.volumeGrids()) all += lightCount * grid.cells;
   const device::Buffer<std::uint32_t> noObjects(device_, 0, "objects around the eye");
   const device::ArgumentList sceneArguments = deviceScene.arguments(deviceScene.allObjects(), noObjects);
   FillKernel fillShadowVolume(
@@ -49,14 +51,13 @@ void ShadowVolume::fill(const build::DeviceScene& deviceScene, std::size_t light
       "fillShadowVolume");
   for (std::size_t light = 0; light < lightCount; ++light) {
     for (const build::VolumeGrid& grid : deviceScene.volumeGrids()) {
-      for (shared::uint first = 0; first < grid.voxels;) {
-        const shared::uint count = std::min(grid.voxels - first, kVoxelsOfLaunch);
-        progress(kStep, float(double(done) / double(voxels_.size())));
-        fillShadowVolume({"fill shadow volume", {count}, {64}},
-                         {grid.worldFromIndex, first, first + count, shared::uint(light), grid.medium}, voxels_, lights,
-                         params, technique.arguments(), sceneArguments);
+      for (std::size_t first = 0; first < grid.cells; first += kCellsOfLaunch) {
+        const std::size_t count = std::min<std::size_t>(grid.cells - first, kCellsOfLaunch);
+        progress(kStep, float(double(done) / double(all)));
+        fillShadowVolume({"fill shadow volume", {count * kRowsOfCell}, {kRowsOfCell}},
+                         {grid.worldFromIndex, shared::uint(first), shared::uint(light), grid.medium, 0}, voxels_,
+                         lights, params, technique.arguments(), sceneArguments);
         device_.finish();
-        first += count;
         done += count;
       }
     }
