@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,14 @@ struct ShadowSettings {
   std::string cache = "none";     ///< none | volume: transmittance at every voxel, kept until light or casters change
   std::string onOverflow = "error";  ///< of that limit: error | coarsen (a larger tolerance)
   float bias = 0.0f;                 ///< world units towards the light for surface points; 0: chosen from the scene
+};
+
+/// How much of their surroundings spheres see, which weakens their ambient light [Krone 2017, §4].
+struct AmbientOcclusion {
+  int directions = 16;     ///< that are looked along, in [4, 256]
+  float distance = 0.7f;   ///< up to which spheres occlude, in longest sides of the box around them, in (0, 2]
+  int resolution = 0;      ///< cells along that side, in [8, 256]; 0: chosen from the spheres' radii
+  float strength = 1.0f;   ///< factor of the optical depth of what occludes, at least 0
 };
 
 /// Spot: a cone from a point. Omni: from a point to all sides. Directional: parallel light from infinitely far away.
@@ -192,6 +201,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Volume> volumes;
   std::vector<Spheres> spheres;
+  std::optional<AmbientOcclusion> ambientOcclusion;  ///< of the spheres; needs some
 };
 
 /// Throws Error when a value is out of its range, an index points nowhere, a camera or light is degenerate, a

@@ -70,6 +70,7 @@ Json frameJson(const FrameStats& frame) {
   const Json times = {{"cluster", frame.clusterMs},
                       {"rasterize", frame.rasterizeMs},
                       {"build_maps", frame.buildMapsMs},
+                      {"ambient_occlusion", frame.ambientOcclusionMs},
                       {"render", frame.renderMs},
                       {"total", frame.totalMs}};
   Json json = {{"frame", frame.frame},
@@ -81,6 +82,10 @@ Json frameJson(const FrameStats& frame) {
                {"warnings", frame.warnings},
                {"reports", frame.reports}};
   if (frame.cache) json["cache"] = {{"bytes", frame.cache->bytes}, {"filled", frame.cache->filled}};
+  if (const auto& occlusion = frame.ambientOcclusion)
+    json["ambient_occlusion"] = {{"bytes", occlusion->bytes},
+                                 {"cells", {occlusion->width, occlusion->height, occlusion->depth}},
+                                 {"filled", occlusion->filled}};
   if (frame.view) json["view"] = viewJson(*frame.view);
   return json;
 }
