@@ -28,8 +28,10 @@ double ambientSeen(const World& world, const glm::dvec3& point, const glm::dvec3
   const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
   int free = 0;
   for (int i = 0; i < rays; ++i) {  // even on the disk below the hemisphere: cosine-weighted [Malley]
-    const double across = std::sqrt((i + 0.5) / rays), angle = 2.0 * glm::pi<double>() * i / glm::golden_ratio<double>();
-    const glm::dvec3 way = across * (std::cos(angle) * u + std::sin(angle) * v) + std::sqrt(1.0 - across * across) * normal;
+    const double across = std::sqrt((i + 0.5) / rays),
+                 angle = 2.0 * glm::pi<double>() * i / glm::golden_ratio<double>();
+    const glm::dvec3 way =
+        across * (std::cos(angle) * u + std::sin(angle) * v) + std::sqrt(1.0 - across * across) * normal;
     free += !isBlocked(world, {point, way}, distance);
   }
   return double(free) / rays;

@@ -67,10 +67,10 @@ struct ShadowSettings {
 
 /// How much of their surroundings spheres see, which weakens their ambient light [Krone 2017, §4].
 struct AmbientOcclusion {
-  int directions = 16;     ///< that are looked along, in [4, 256]
-  float distance = 0.7f;   ///< up to which spheres occlude, in longest sides of the box around them, in (0, 2]
-  int resolution = 0;      ///< cells along that side, in [8, 256]; 0: chosen from the spheres' radii
-  float strength = 1.0f;   ///< factor of the optical depth of what occludes, at least 0
+  int directions = 16;    ///< that are looked along, in [4, 256]
+  float distance = 0.7f;  ///< up to which spheres occlude, in longest sides of the box around them, in (0, 2]
+  int resolution = 0;     ///< cells along that side, in [8, 256]; 0: chosen from the spheres' radii
+  float strength = 1.0f;  ///< factor of the optical depth of what occludes, at least 0
 };
 
 /// Spot: a cone from a point. Omni: from a point to all sides. Directional: parallel light from infinitely far away.

@@ -76,7 +76,7 @@ struct FrameStats {
   double totalMs = 0.0;  ///< wall clock
   std::vector<LightStats> lights;
   MemoryStats memory;
-  std::optional<CacheStats> cache;  ///< none without one
+  std::optional<CacheStats> cache;                 ///< none without one
   std::optional<OcclusionStats> ambientOcclusion;  ///< the same
   std::vector<KernelTime> kernels;
   bool deviceTimes = true;            ///< false: the queue was made without profiling, times of the device are 0

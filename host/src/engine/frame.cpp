@@ -71,7 +71,8 @@ build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
 
 render::ShadedView FrameState::shade(const Scene& scene) {
   const device::HostStep traced = step("shade view");
-  render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_, occlusion_);
+  render::ShadedView shaded =
+      shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_, occlusion_);
   stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
   return shaded;
 }

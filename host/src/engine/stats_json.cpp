@@ -67,12 +67,9 @@ Json viewJson(const ViewStats& view) {
 }
 
 Json frameJson(const FrameStats& frame) {
-  const Json times = {{"cluster", frame.clusterMs},
-                      {"rasterize", frame.rasterizeMs},
-                      {"build_maps", frame.buildMapsMs},
-                      {"ambient_occlusion", frame.ambientOcclusionMs},
-                      {"render", frame.renderMs},
-                      {"total", frame.totalMs}};
+  const Json times = {{"cluster", frame.clusterMs},      {"rasterize", frame.rasterizeMs},
+                      {"build_maps", frame.buildMapsMs}, {"ambient_occlusion", frame.ambientOcclusionMs},
+                      {"render", frame.renderMs},        {"total", frame.totalMs}};
   Json json = {{"frame", frame.frame},
                {"time_ms", times},
                {"lights", lightsJson(frame.lights)},

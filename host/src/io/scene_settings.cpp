@@ -83,8 +83,7 @@ AmbientOcclusion readOcclusion(const toml::table& table) {
   AmbientOcclusion occlusion;
   occlusion.directions = reader.integer("directions", occlusion.directions, scene::kDirections);
   occlusion.distance = reader.number("distance", occlusion.distance, scene::kOcclusionDistance);
-  occlusion.resolution =
-      reader.integerOr("resolution", occlusion.resolution, scene::kOcclusionResolution, "auto", 0);
+  occlusion.resolution = reader.integerOr("resolution", occlusion.resolution, scene::kOcclusionResolution, "auto", 0);
   occlusion.strength = reader.number("strength", occlusion.strength, scene::kNotNegative);
   return occlusion;
 }

@@ -76,8 +76,8 @@ void AmbientOcclusion::fill(const Scene& scene, const build::DeviceScene& device
   const Cells cells = addUp(params, deviceScene, float(extent.greatestRadius));
   const auto directions = device::Buffer<shared::float4>::fromHost(
       device_, evenDirections(scene.ambientOcclusion->directions), "directions of ambient occlusion");
-  const auto count = std::uint32_t(params.grid.size.x) * std::uint32_t(params.grid.size.y) *
-                     std::uint32_t(params.grid.size.z);
+  const auto count =
+      std::uint32_t(params.grid.size.x) * std::uint32_t(params.grid.size.y) * std::uint32_t(params.grid.size.z);
   seen_ = Seen(device_, count, "ambient occlusion");
   const Seen rough(device_, count, "ambient occlusion, rough");
   const cl::Program& program = device_.programs().get({"occlusion/gather.cl", {}, {}});

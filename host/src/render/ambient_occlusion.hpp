@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of their surroundings spheres see: a grid around them that is made once and looked up for every point that is
-// shaded [Krone 2017, §4, after Staib 2015] (kernels/occlusion).
+// How much of their surroundings spheres see: a grid around them that is made once and looked up for every point that
+// is shaded [Krone 2017, §4, after Staib 2015] (kernels/occlusion).
 #pragma once
 
 #include <functional>

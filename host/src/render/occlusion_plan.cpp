@@ -22,8 +22,8 @@ constexpr int kFewestCells = 16, kMostCells = 128;
 constexpr double kStart = 0.75;
 /// Length of a step as part of the width of its cone, and of the way so far at least: 32 steps reach far enough.
 constexpr double kStepPart = 0.5, kLeastGrowth = 0.25;
-/// Width of the cells that a step looks at as part of the same: they fade into their neighbours, and those as wide as the
-/// cone would be dark beside every wall.
+/// Width of the cells that a step looks at as part of the same: they fade into their neighbours, and those as wide as
+/// the cone would be dark beside every wall.
 constexpr double kCellPart = 0.0625;
 
 int longestSide(const ::cdsm::AmbientOcclusion& settings, const SphereExtent& extent, double side) {
@@ -62,7 +62,8 @@ void addSteps(shared::OcclusionParams& params, int directions, double distance, 
   double begin = kStart;
   while (begin < distance && params.stepCount < CDSM_OCCLUSION_STEPS) {
     const double width = std::max(1.0, widening * begin);
-    const double wanted = std::max(kStepPart * width, kLeastGrowth * begin), length = std::min(wanted, distance - begin);
+    const double wanted = std::max(kStepPart * width, kLeastGrowth * begin),
+                 length = std::min(wanted, distance - begin);
     const double middle = begin + 0.5 * length;
     const double level = std::round(std::log2(std::max(1.0, kCellPart * widening * middle)));
     params.steps[params.stepCount++] = {float(middle), float(length * strength / double(CDSM_OCCLUSION_ONE)),

@@ -13,15 +13,15 @@ namespace cdsm::render {
 
 /// What of the spheres counts: those that are to be seen.
 struct SphereExtent {
-  scene::Bounds bounds;       ///< world
-  double meanRadius = 0.0;    ///< world
+  scene::Bounds bounds;     ///< world
+  double meanRadius = 0.0;  ///< world
   double greatestRadius = 0.0;
 };
 
 SphereExtent extentOf(const Scene& scene);
 
-/// So many unit vectors, evenly spread over the sphere, in each of eight sets that are turned against each other. w: factor
-/// of the steps along each, so that what they pass over differs.
+/// So many unit vectors, evenly spread over the sphere, in each of eight sets that are turned against each other. w:
+/// factor of the steps along each, so that what they pass over differs.
 std::vector<shared::float4> evenDirections(int count);
 
 /// Grid, levels, steps and directions' sum. `extent` is not empty.
