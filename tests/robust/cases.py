@@ -374,7 +374,7 @@ def molecule(name, text, content, file="atoms.xyz", more=b"", status=1):
 MOLECULES = [
     molecule("atoms", "", inputs.ATOMS_XYZ, status=0),
     molecule("atoms that occlude", "", inputs.ATOMS_XYZ, more=b"[ambient_occlusion]", status=0),
-    scene("ambient occlusion of nothing", "broken.toml:1:1: ambient_occlusion needs [[spheres]]", b"[camera]",
+    scene("ambient occlusion of nothing", "scene.toml:2:1: ambient_occlusion needs [[spheres]]", b"[camera]",
           b"[ambient_occlusion]\n[camera]"),
     molecule("a PDB entry", "", inputs.pdb("  O"), "atoms.pdb", status=0),
     molecule("an mmCIF entry", "", inputs.mmcif("2.0"), "atoms.cif", status=0),
