@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Suite "spheres" [Krone 2017, §4.1, Fig. 8]: frames of molecules by local lighting alone, by implicit sphere shadow maps,
-// and with ambient occlusion, in the paper's viewport with the paper's size of maps.
+// Suite "spheres" [Krone 2017, §4.1, Fig. 8]: frames of molecules by local lighting alone, by implicit sphere shadow
+// maps, and with ambient occlusion, in the paper's viewport with the paper's size of maps.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ constexpr double kPaperOcclusion = kPaperShadows * 33.0 / 31.0;
 struct Molecule {
   const char* file;  ///< in papers/molecules
   const char* name;
-  bool inPaper;      ///< or something as large in its place
+  bool inPaper;  ///< or something as large in its place
   bool largest;
 };
 
@@ -29,9 +29,9 @@ constexpr Molecule kMolecules[] = {{"1tii", "1TII", true, false},         {"1lnl
 
 struct Figures {
   double spheres = 0.0;
-  double local = 0.0, kept = 0.0, built = 0.0;        ///< ms of a frame; `built`: with a new map
-  double occludedKept = 0.0, occludedBuilt = 0.0;     ///< the same with ambient occlusion that is there
-  double buildMap = 0.0, buildOcclusion = 0.0;        ///< ms
+  double local = 0.0, kept = 0.0, built = 0.0;     ///< ms of a frame; `built`: with a new map
+  double occludedKept = 0.0, occludedBuilt = 0.0;  ///< the same with ambient occlusion that is there
+  double buildMap = 0.0, buildOcclusion = 0.0;     ///< ms
 };
 
 Scene sceneOf(const BenchOptions& options, const Molecule& molecule) {
@@ -105,16 +105,15 @@ std::vector<Table> benchSpheres(const BenchOptions& options) {
   Row built = ratioOf("implicit spheres, a new map in each frame", all, &Figures::built, kPaperShadows, false);
   kept.wanted.assign(all.size(), kWanted);
   built.wanted.assign(all.size(), kWanted);
-  const Table ratios{"krone-8",
-                     "Krone's Figure 8: frames / frames by local lighting alone, map of " +
-                         mapSizeText(options, kMapSize, 1),
-                     "molecule",
-                     names,
-                     {kept, built,
-                      ratioOf("and ambient occlusion, map kept", all, &Figures::occludedKept, kPaperOcclusion, true),
-                      ratioOf("and ambient occlusion, a new map", all, &Figures::occludedBuilt, kPaperOcclusion, true)},
-                     {},
-                     "paper"};
+  const Table ratios{
+      "krone-8",
+      "Krone's Figure 8: frames / frames by local lighting alone, map of " + mapSizeText(options, kMapSize, 1),
+      "molecule",
+      names,
+      {kept, built, ratioOf("and ambient occlusion, map kept", all, &Figures::occludedKept, kPaperOcclusion, true),
+       ratioOf("and ambient occlusion, a new map", all, &Figures::occludedBuilt, kPaperOcclusion, true)},
+      {},
+      "paper"};
   const Table times{"times",
                     "What they are made of",
                     "molecule",

@@ -86,9 +86,10 @@ CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
     CDSM_BEGIN(ViewData) F(pixelU) F(pixelV) F(pixelW) F(depth) F(origin) F(originU) F(originV) F(dir) F(dirU) F(dirV)
         F(width) F(height) F(tilesX) F(tilesY) F(nearDepth) F(initialCount) F(padding0) F(padding1) CDSM_END
 
-    CDSM_BEGIN(OcclusionGrid) F(corner) F(size) CDSM_END CDSM_BEGIN(OcclusionParams) F(grid) F(levels) F(steps)
-        F(directionCount) F(stepCount) F(firstCell) F(lastCell) CDSM_END CDSM_BEGIN(DensityParams) F(grid) F(first)
-            F(count) F(slices) F(padding) CDSM_END
+    CDSM_BEGIN(WallParams) F(first) F(count) F(stride) F(padding) CDSM_END CDSM_BEGIN(OcclusionGrid) F(corner)
+        F(size) CDSM_END CDSM_BEGIN(OcclusionParams) F(grid) F(levels) F(steps) F(directionCount) F(stepCount)
+            F(firstCell) F(lastCell) CDSM_END CDSM_BEGIN(DensityParams) F(grid) F(first) F(count) F(slices)
+                F(padding) CDSM_END
 
     CDSM_BEGIN(BuildParams) F(view) F(tolerance) F(interiorStep) F(mapIndex) F(padding) CDSM_END CDSM_BEGIN(ShadeParams)
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) F(occlusion) CDSM_END
@@ -155,6 +156,7 @@ std::vector<SharedStruct> sharedStructs() {
           CDSM_ENTRY(ProbeParams, "debug_data.h"),
           CDSM_ENTRY(MapProbe, "debug_data.h"),
           CDSM_ENTRY(OcclusionGrid, "occlusion_data.h"),
+          CDSM_ENTRY(WallParams, "layer_data.h"),
           CDSM_ENTRY(OcclusionParams, "occlusion_data.h"),
           CDSM_ENTRY(DensityParams, "occlusion_data.h")};
 }
