@@ -15,17 +15,29 @@ __kernel void drawWalls(WallParams params, ViewData view, __global const SceneSp
   if (objects[as_uint(sphere->color.w)].diffuse.w < 1.0f) return;
   float4 world = worldSphere(sphere, objects);
   float depth = dot(view.depth.xyz, world.xyz) + view.depth.w;
-  int4 box = pixelsAround(&view, world.xyz, world.w);
-  if (depth - world.w < view.nearDepth || isLarge(box >> 3)) return;
+  PixelBox box = pixelsAround(&view, world.xyz, world.w);
+  if (depth - world.w < view.nearDepth || !box.known || isLargeBox(box)) return;
   if (isBehindTiles(&view, box, nearestDepth(depth, world.w), walls)) return;
   float radius = world.w - CDSM_WALL_MARGIN * pixelWidth(&view, depth);
   if (radius <= 0.0f) return;
-  for (int y = box.y; y <= box.w; ++y)
-    for (int x = box.x; x <= box.z; ++x) {
+  for (int y = box.y0; y <= box.y1; ++y)
+    for (int x = box.x0; x <= box.x1; ++x) {
       Ray ray = rayThroughPixel(&view, x + 0.5f, y + 0.5f);
       SphereCrossings c = crossSphere(world.xyz - ray.origin, radius, ray.dir);
       if (c.hit && c.enter >= view.nearDepth) atomic_min(&depths[y * view.width + x], as_uint(c.enter));
     }
+}
+
+/// A work item per sphere, params.count from params.first on: 1 where walls of tiles hide it.
+__kernel void hideSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
+                          __global const ObjectData* objects, __global const float* walls, __global uchar* hidden) {
+  if (get_global_id(0) >= params.count) return;
+  uint id = params.first + (uint)get_global_id(0);
+  float4 sphere = worldSphere(&spheres[id], objects);
+  float depth = dot(view.depth.xyz, sphere.xyz) + view.depth.w;
+  float radius = max(sphere.w, params.leastRadius * pixelWidth(&view, depth));
+  PixelBox box = pixelsAround(&view, sphere.xyz, radius);
+  hidden[id] = isBehindTiles(&view, box, nearestDepth(depth, radius), walls) ? 1 : 0;
 }
 
 /// A work item per tile.

@@ -64,11 +64,11 @@ void RasterPass::setUpSpheres(const DeviceScene& scene, const ObjectSet& objects
                               const Report& report, float leastRadius) {
   using List = ScreenList<shared::ScreenSphere>;
   if (objects.spheres.empty()) return spheres_.setUp({}, {}, report);
-  walls_.run(scene, objects, view);
+  walls_.run(scene, objects, view, leastRadius);
   const auto setUp = [&](shared::SetupParams params, List& list) {
     params.leastRadius = leastRadius;
     setupSpheres_({list.names().setUp, {params.count}, {List::kGroup}}, params, view, scene.spheres(), objects.objects,
-                  walls_.tiles(), walls_.pixels(), list.screen(), list.counters(), list.large());
+                  walls_.hidden(), walls_.pixels(), list.screen(), list.counters(), list.large());
   };
   spheres_.setUp(objects.spheres, setUp, report);
 }

@@ -60,8 +60,8 @@ class RasterPass {
                  device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenTriangle>, Counters, Uints>
       setupTriangles_;
   device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::SceneSphere>,
-                 device::Buffer<shared::ObjectData>, device::Buffer<float>, Uints, device::Buffer<shared::ScreenSphere>,
-                 Counters, Uints>
+                 device::Buffer<shared::ObjectData>, device::Buffer<std::uint8_t>, Uints,
+                 device::Buffer<shared::ScreenSphere>, Counters, Uints>
       setupSpheres_;
   using SortKernel = device::Kernel<shared::ViewData, device::Buffer<shared::ScreenTriangle>,
                                     device::Buffer<shared::ScreenSphere>, Uints, Uints, device::Buffer<std::uint64_t>,

@@ -30,10 +30,13 @@ SphereWalls::SphereWalls(device::Device& device)
     : device_(device),
       depths_(device, 0, "depths of walls"),
       walls_(device, 0, "walls of tiles"),
+      hidden_(device, 0, "hidden spheres"),
       drawWalls_(device, programOf(device), "drawWalls"),
-      raiseWalls_(device, programOf(device), "raiseWalls") {}
+      raiseWalls_(device, programOf(device), "raiseWalls"),
+      hideSpheres_(device, programOf(device), "hideSpheres") {}
 
-void SphereWalls::run(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view) {
+void SphereWalls::run(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
+                      float leastRadius) {
   const std::size_t tiles = std::size_t(view.tilesX) * view.tilesY;
   walls_.reserve(tiles);
   walls_.fill(INFINITY);
@@ -41,7 +44,8 @@ void SphereWalls::run(const DeviceScene& scene, const ObjectSet& objects, const 
   depths_.fill(bitsOf(INFINITY));
   std::size_t count = 0;
   for (const PrimitiveRange& range : objects.spheres) count += range.count;
-  if (count < kFewestSpheres) return;
+  hidden_.reserve(scene.spheres().size());
+  if (count < kFewestSpheres) return hidden_.fill(0);
   for (unsigned round = 0; round < kRounds; ++round) {
     const unsigned offset = round * kStride / kRounds;
     for (const PrimitiveRange& range : objects.spheres) {
@@ -53,6 +57,10 @@ void SphereWalls::run(const DeviceScene& scene, const ObjectSet& objects, const 
     }
     raiseWalls_({"raise walls of tiles", {tiles}, {64}}, view, depths_, walls_);
   }
+  for (const PrimitiveRange& range : objects.spheres)
+    hideSpheres_({"hide spheres behind walls", {range.count}, {64}},
+                 {shared::uint(range.first), shared::uint(range.count), 0, leastRadius}, view, scene.spheres(),
+                 objects.objects, walls_, hidden_);
 }
 
 }  // namespace cdsm::build
