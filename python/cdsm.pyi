@@ -66,6 +66,14 @@ class ShadowSettings:
                  step: float = ..., memory_limit_mb: float = ..., cache: str = ..., on_overflow: str = ...,
                  bias: float = ...) -> None: ...
 
+class AmbientOcclusion:
+    directions: int
+    distance: float
+    resolution: int
+    strength: float
+    def __init__(self, *, directions: int = ..., distance: float = ..., resolution: int = ...,
+                 strength: float = ...) -> None: ...
+
 class Light:
     name: str
     type: str
@@ -155,9 +163,11 @@ class Scene:
     meshes: list[Mesh]
     volumes: list[Volume]
     spheres: list[Spheres]
+    ambient_occlusion: Optional[AmbientOcclusion]
     def __init__(self, *, camera: Optional[Camera] = ..., image: Optional[ImageSettings] = ...,
                  shadows: Optional[ShadowSettings] = ..., lights: Iterable[Light] = ..., meshes: Iterable[Mesh] = ...,
-                 volumes: Iterable[Volume] = ..., spheres: Iterable[Spheres] = ...) -> None: ...
+                 volumes: Iterable[Volume] = ..., spheres: Iterable[Spheres] = ...,
+                 ambient_occlusion: Optional[AmbientOcclusion] = ...) -> None: ...
 
 class LightMap:
     @property

@@ -31,6 +31,7 @@ struct SceneObject {
   std::shared_ptr<Camera> camera = std::make_shared<Camera>();
   std::shared_ptr<ImageSettings> image = std::make_shared<ImageSettings>();
   std::shared_ptr<ShadowSettings> shadows = std::make_shared<ShadowSettings>();
+  std::shared_ptr<AmbientOcclusion> occlusion;  ///< none: none
   py::list lights, meshes, volumes, spheres;
 };
 

@@ -75,6 +75,7 @@ Scene toScene(const SceneObject& object) {
   scene.camera = valueOrDefault(object.camera);
   scene.image = valueOrDefault(object.image);
   scene.shadows = valueOrDefault(object.shadows);
+  if (object.occlusion) scene.ambientOcclusion = *object.occlusion;
   for (const auto& light : elementsOf<Light>(object.lights, "lights")) scene.lights.push_back(*light);
   Materials materials(scene.materials);
   const auto meshes = elementsOf<MeshObject>(object.meshes, "meshes");
@@ -95,7 +96,8 @@ void bindScene(py::module_& module) {
   Fields<SceneObject> fields(module, "Scene", "Camera, image and shadow settings, lights and objects.");
   fields.field("camera", &SceneObject::camera, "None: the default one.")
       .field("image", &SceneObject::image, "None: the default one.")
-      .field("shadows", &SceneObject::shadows, "None: the default ones.");
+      .field("shadows", &SceneObject::shadows, "None: the default ones.")
+      .field("ambient_occlusion", &SceneObject::occlusion, "Of the spheres; None: none.");
   addList(fields, "lights", &SceneObject::lights, "List of Light.");
   addList(fields, "meshes", &SceneObject::meshes, "List of Mesh.");
   addList(fields, "volumes", &SceneObject::volumes, "List of Volume.");

@@ -106,12 +106,22 @@ void bindShadowSettings(py::module_& module) {
   fields.constructor();
 }
 
+void bindAmbientOcclusion(py::module_& module) {
+  Fields<AmbientOcclusion>(module, "AmbientOcclusion", "How much of their surroundings spheres see.")
+      .field("directions", &AmbientOcclusion::directions, "That are looked along, in [4, 256].")
+      .field("distance", &AmbientOcclusion::distance, "Up to which spheres occlude, in longest sides of their box.")
+      .field("resolution", &AmbientOcclusion::resolution, "Cells along that side, in [8, 256]; 0: from the radii.")
+      .field("strength", &AmbientOcclusion::strength, "Factor of what occludes; 0: nothing does.")
+      .constructor();
+}
+
 }  // namespace
 
 void bindSettings(py::module_& module) {
   bindCamera(module);
   bindImageSettings(module);
   bindShadowSettings(module);
+  bindAmbientOcclusion(module);
   bindLight(module);
   bindMaterial(module);
 }

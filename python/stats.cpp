@@ -47,12 +47,17 @@ py::list kernelList(const std::vector<KernelTime>& kernels) {
 
 py::dict statsDict(const FrameStats& stats) {
   py::dict times("cluster"_a = stats.clusterMs, "rasterize"_a = stats.rasterizeMs, "build_maps"_a = stats.buildMapsMs,
-                 "render"_a = stats.renderMs, "total"_a = stats.totalMs);
+                 "ambient_occlusion"_a = stats.ambientOcclusionMs, "render"_a = stats.renderMs,
+                 "total"_a = stats.totalMs);
   py::dict dict("time_ms"_a = times, "lights"_a = lightList(stats.lights), "memory"_a = memoryDict(stats.memory),
                 "kernels"_a = kernelList(stats.kernels), "device_times"_a = stats.deviceTimes,
                 "uploaded_bytes"_a = stats.uploadedBytes, "copied_bytes"_a = stats.copiedBytes,
                 "shaded_samples"_a = stats.shadedSamples, "warnings"_a = stats.warnings, "reports"_a = stats.reports);
   if (stats.cache) dict["cache"] = py::dict("bytes"_a = stats.cache->bytes, "filled"_a = stats.cache->filled);
+  if (const auto& occlusion = stats.ambientOcclusion)
+    dict["ambient_occlusion"] =
+        py::dict("bytes"_a = occlusion->bytes, "filled"_a = occlusion->filled,
+                 "cells"_a = py::make_tuple(occlusion->width, occlusion->height, occlusion->depth));
   if (stats.view) dict["view"] = py::dict("name"_a = stats.view->name, "scale"_a = stats.view->scale);
   return dict;
 }

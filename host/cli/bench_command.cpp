@@ -38,6 +38,7 @@ constexpr Suite kSuites[] = {
     {"gallery", "frame rates of all scenes, moving camera (Figure 5.14)", benchGallery},
     {"memory", "strategies and formats of nodes, [SCENE...] with [--map-sizes]", benchMemory},
     {"techniques", "frames of all techniques, cached and not (Ropinski's Tables 1 and 2)", benchTechniques},
+    {"spheres", "implicit spheres and ambient occlusion on molecules (Krone's Figure 8)", benchSpheres},
     {"clustering", "error of shadows and times, with clusters and without", benchClustering},
     {"query", "points a second from arrays of the host, beside the bare kernel", benchQuery},
     {"stochastic", "stochastic shadows against maps (Weidner's Tables 3 and 4)", benchStochastic},

@@ -32,6 +32,9 @@ std::vector<Table> benchGallery(const BenchOptions& options);
 /// [Weidner & Linsen 2018, Tables 3 and 4]: stochastic shadows against shadow maps and deep shadow maps.
 std::vector<Table> benchStochastic(const BenchOptions& options);
 
+/// [Krone 2017, Fig. 8]: molecules by local lighting, implicit sphere shadow maps and ambient occlusion.
+std::vector<Table> benchSpheres(const BenchOptions& options);
+
 /// What clusters are for: the error of shadows, and what they cost.
 std::vector<Table> benchClustering(const BenchOptions& options);
 

@@ -2,8 +2,7 @@
 // Spheres of the scene -> spheres on the screen with their exact outlines. The rays of pixels (u, v) meet a sphere where
 // a quadratic of u and v says so: the distance of the ray from the centre, times the length of the ray's direction, is
 // at most the radius times that length. Around the centre's own pixel nothing in it cancels.
-#include "build/screen_slot.clh"
-#include "common/sphere.clh"
+#include "build/sphere_walls.clh"
 
 /// a x^2 + 2 b x y + c y^2 + 2 d x + 2 e y + f <= 0: pixels (x, y) from the centre's that meet the sphere.
 typedef struct Conic {
@@ -84,24 +83,21 @@ bool besideView(const ViewData* view, float3 center, float radius) {
          beyond((float)view->height * view->pixelW - view->pixelV, center, radius);
 }
 
-/// World units between neighbouring pixels at a depth.
-float pixelWidth(const ViewData* view, float depth) {
-  return max(length(view->originU.xyz + depth * view->dirU.xyz), length(view->originV.xyz + depth * view->dirV.xyz));
-}
-
-/// A work item per sphere of the scene. One smaller than params.leastRadius covers as many pixels as if it were not, but
+/// A work item per sphere of the scene. None that is hidden, or lies behind the walls of its pixels, is set up. One smaller than params.leastRadius covers as many pixels as if it were not, but
 /// its rays still meet the sphere as it is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide
 /// and high.
 __kernel void setupSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
-                           __global const ObjectData* objects, __global ScreenSphere* screen,
-                           __global RasterCounters* counters, __global uint* large) {
+                           __global const ObjectData* objects, __global const uchar* hidden, __global const uint* depths,
+                           __global ScreenSphere* screen, __global RasterCounters* counters, __global uint* large) {
   if (get_global_id(0) >= params.count) return;
   uint id = params.first + (uint)get_global_id(0);
+  if (hidden[id]) return;
   float4 sphere = worldSphere(&spheres[id], objects);
   float3 center = sphere.xyz;
   float depth = dot(view.depth.xyz, center) + view.depth.w;
   if (depth + sphere.w < view.nearDepth) return;
   float radius = max(sphere.w, params.leastRadius * pixelWidth(&view, depth));
+  if (isBehindPixels(&view, pixelsAround(&view, center, radius), nearestDepth(depth, radius), depths)) return;
 
   ScreenSphere s;
   s.sphere = (float4)(center - view.origin.xyz, sphere.w);

@@ -4,9 +4,10 @@
 #include "render/shade_media.clh"
 #include "render/shade_surface.clh"
 
-/// A group per tile, an item per pixel. image: rgba, row after row; samples[pixel]: volume samples shaded.
+/// A group per tile, an item per pixel. seen: of ambient occlusion; image: rgba, row after row; samples[pixel]: volume samples shaded.
 __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __global const uint2* ranges,
-                          __global const LightData* lights, __global float4* image, __global uint* samples,
+                          __global const LightData* lights, __global const short4* seen, __global float4* image,
+                          __global uint* samples,
                           CDSM_LIGHT_PARAMS, CDSM_SCENE_PARAMS) {
   CDSM_SCENE_ACCESS(scene);
   uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
@@ -27,7 +28,7 @@ __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __globa
     if (walk.mediumCount > 0 && depth > walk.depth)
       shadeSegment(&r, scene, &walk, depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     if (r.transparency > CDSM_OPAQUE)
-      shadeSurface(&r, scene, nextFacing(&walk), depth, &params, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
+      shadeSurface(&r, scene, nextFacing(&walk), depth, &params, seen, lights, CDSM_LIGHT_ARGS CDSM_VOLUME_ARGS);
     passFragment(&walk, scene);
   }
   if (r.transparency <= CDSM_OPAQUE) r.transparency = 0.0f;

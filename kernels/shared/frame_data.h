@@ -2,6 +2,7 @@
 // Arguments of the kernels that march rays: building maps, shading the image, answering queries.
 #pragma once
 #include "shared/map_data.h"
+#include "shared/occlusion_data.h"
 #include "shared/scene_data.h"
 #include "shared/types.h"
 #include "shared/view_data.h"
@@ -37,8 +38,9 @@ typedef struct ShadeParams {
   float bias;           ///< world units a surface point is moved towards the light
   uint lightCount;
   float lookupTolerance;  ///< lookups along a ray are interpolated where they differ by less
+  OcclusionGrid occlusion;
 } ShadeParams;
-CDSM_SIZE(ShadeParams, 224);
+CDSM_SIZE(ShadeParams, 256);
 
 typedef struct QueryParams {
   uint pointCount;

@@ -50,6 +50,14 @@ typedef struct SetupParams {
 } SetupParams;
 CDSM_SIZE(SetupParams, 16);
 
+/// Spheres that are drawn to hide others.
+typedef struct WallParams {
+  uint first, count;  ///< sphere of the scene, and how many
+  uint stride;        ///< from one to the next
+  uint padding;
+} WallParams;
+CDSM_SIZE(WallParams, 16);
+
 /// Fixed-point grid of the screen corners, and the farthest a corner may lie off the screen before it is clipped.
 #define CDSM_SUBPIXELS 256
 #define CDSM_GUARD_PIXELS 32768.0f

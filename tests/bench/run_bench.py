@@ -31,14 +31,22 @@ file = "{up}grid.nrrd"
 opacity = [[0.0, 0.0], [63.0, 0.5]]
 color = [[0.0, 1.0, 1.0, 1.0]]
 """
+SPHERES = """
+[[spheres]]
+name = "atoms"
+file = "{up}atoms.xyz"
+material = "glass"
+"""
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 VOXELS = b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" + bytes(range(64))
 SCENES = ("papers/clustering/camera_a", "papers/clustering/camera_b", "papers/clustering/camera_c",
           "papers/xray/overview", "papers/teacups/teacups_01", "bench/sparse",
           "papers/test-spheres/scene")
+MOLECULES = ("1tii", "1lnl", "1aon", "nial_impact", "capsid", "million")
 TABLES = {"tolerance": ["5.8", "5.9", "5.10"], "clustering": ["error", "frame", "cpu", "path"],
           "memory": ["0", "1", "2"], "techniques": ["ours", "paper", "cached"],
-          "query": ["query"], "stochastic": ["weidner-3", "weidner-4", "memory", "noise"]}
+          "query": ["query"], "stochastic": ["weidner-3", "weidner-4", "memory", "noise"],
+          "spheres": ["krone-8", "times"]}
 ARGUMENTS = {"memory": ["{scenes}/papers/xray/overview.toml", "--map-sizes", "512,2048"]}
 NO_FIGURE = "error, "  # rows of these labels may lack figures: functions that are not compressed fit small maps alone
 
@@ -58,10 +66,12 @@ def run(command):
 def write_scenes(folder):
     (folder / "closed.obj").write_text(MESH)
     (folder / "grid.nrrd").write_bytes(VOXELS)
-    for name in SCENES:
+    (folder / "atoms.xyz").write_text("2\n\nC 0 0 0\nC 1 1 0\n")
+    for name in [*SCENES, *(f"papers/molecules/{name}" for name in MOLECULES)]:
         path = folder / (name + ".toml")
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(SCENE.format(up="../" * name.count("/")))
+        text = SCENE + (SPHERES if "molecules" in name else "")
+        path.write_text(text.format(up="../" * name.count("/")))
 
 
 def check_table(table):

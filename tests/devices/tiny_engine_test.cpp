@@ -80,6 +80,11 @@ TEST_P(TinyEngine, spheresByThemselves) {
   scene.shadows.softness = 0.2f;
   expectSound(engine_, scene);
 }
+TEST_P(TinyEngine, spheresThatOcclude) {
+  Scene scene = along(spheresScene(), "none", "exact", "bilinear");
+  scene.ambientOcclusion = AmbientOcclusion{4, 0.7f, 8, 1.0f};
+  expectSound(engine_, scene);
+}
 TEST_P(TinyEngine, debugPictures) {
   const Scene scene = along(everythingScene(), "deep-shadow-map", "chunked", "bilinear");
   for (const DebugView view : {DebugView::Clusters, DebugView::Nodes, DebugView::Steps, DebugView::Texels})

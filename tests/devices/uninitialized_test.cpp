@@ -14,6 +14,11 @@ struct Case {
   Scene scene;
 };
 
+Scene occluding(Scene scene) {
+  scene.ambientOcclusion = AmbientOcclusion{8, 0.7f, 16, 1.0f};
+  return scene;
+}
+
 std::vector<Case> cases() {
   const auto maps = [](const Scene& scene, const char* memory) {
     return along(scene, "deep-shadow-map", memory, "bilinear");
@@ -26,6 +31,7 @@ std::vector<Case> cases() {
           {"EverythingDepths", along(everythingScene(), "shadow-map", "chunked", "bilinear")},
           {"EverythingPhotons", along(everythingScene(), "stochastic", "chunked", "bilinear")},
           {"SpheresThemselves", along(spheresScene(), "implicit-sphere", "chunked", "bilinear")},
+          {"SpheresOccluding", occluding(along(spheresScene(), "none", "chunked", "bilinear"))},
           {"VolumeChunked", maps(volumeScene(VoxelType::UInt8), "chunked")},
           {"VolumeNone", along(volumeScene(VoxelType::UInt8), "none", "chunked", "bilinear")},
           {"CutAtlas", maps(cutScene(), "atlas")},

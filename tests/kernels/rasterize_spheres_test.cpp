@@ -122,6 +122,13 @@ shared::ViewData testView(int width, int height, float fov = 60.0f, float nearDe
   return scene::cameraView(camera, width, height, nearDepth);
 }
 
+/// Parallel, through the origin.
+shared::ViewData slantedView(int width, int height) {
+  const glm::vec3 forward = glm::normalize(glm::vec3(1.0f, -2.0f, 0.5f));
+  const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1, 0)));
+  return scene::parallelView(-4.0f * forward, forward, right, 1.2f, 1.7f, width, height);
+}
+
 SphereData randomSpheres(int count, std::uint32_t seed, double reach, double least, double greatest) {
   Random random(seed);
   SphereData data;
@@ -159,10 +166,8 @@ TEST(RasterizeSpheres, matchRaysAroundTheEye) {
 }
 
 TEST(RasterizeSpheres, matchParallelRays) {
-  const glm::vec3 forward = glm::normalize(glm::vec3(1.0f, -2.0f, 0.5f));
-  const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1, 0)));
-  const shared::ViewData view = scene::parallelView(-4.0f * forward, forward, right, 1.2f, 1.7f, 70, 50);
-  for (const float opacity : {0.5f, 1.0f}) expectExact(randomSpheres(200, 6, 1.5, 0.02, 0.6), opacity, view);
+  for (const float opacity : {0.5f, 1.0f})
+    expectExact(randomSpheres(200, 6, 1.5, 0.02, 0.6), opacity, slantedView(70, 50));
 }
 
 /// A thousand radii and more from the eye: what is left of squared lengths there would be rounding.
@@ -177,6 +182,46 @@ TEST(RasterizeSpheres, theirRoomIsCounted) {
   Scene scene = reference::emptyScene();
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
   for (const auto& pixel : rasterize(scene, testView(16, 16, 20.0f))) EXPECT_EQ(pixel.size(), 1u);
+}
+
+/// So many that some of them are drawn first, to pass over what they hide.
+constexpr int kMany = 6000;
+
+TEST(RasterizeSpheres, matchRaysWhereMostAreHidden) {
+  expectExact(randomSpheres(kMany, 9, 1.5, 0.02, 0.3), 1.0f, testView(61, 43));
+  expectExact(randomSpheres(kMany, 10, 3.5, 0.05, 0.6), 1.0f, testView(40, 40, 150.0f));
+  expectExact(randomSpheres(kMany, 11, 1.5, 0.02, 0.1), 1.0f, slantedView(70, 50));
+  expectExact(randomSpheres(kMany, 12, 1.5, 0.002, 0.01), 1.0f, testView(61, 43));
+}
+
+/// Walls are never nearer than what is seen, and most tiles have one that is not much farther.
+TEST(RasterizeSpheres, wallsAreBehindWhatIsSeen) {
+  const SphereData data = randomSpheres(kMany, 13, 1.0, 0.08, 0.12);
+  Scene scene = reference::emptyScene();
+  reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
+  build::DeviceScene onDevice(deviceOf());
+  onDevice.update(scene);
+  build::SphereWalls pass(deviceOf());
+  for (const shared::ViewData& view : {testView(64, 64, 30.0f), slantedView(64, 64)}) {
+    pass.run(onDevice, onDevice.allObjects(), view);
+    const std::vector<float> walls = pass.tiles().download();
+    int near = 0;
+    for (int tile = 0; tile < view.tilesX * view.tilesY; ++tile) {
+      double farthest = 0.0;
+      for (int pixel = 0; pixel < CDSM_TILE_PIXELS; ++pixel) {
+        const ExactRay ray(view, tile % view.tilesX * 8 + pixel % 8, int(tile / view.tilesX) * 8 + int(pixel / 8));
+        double nearest = INFINITY;
+        for (std::size_t i = 0; i < data.centers.size(); ++i) {
+          const Meeting m = meet(ray, data.centers[i], data.radii[i]);
+          if (m.miss <= 0.0) nearest = std::min(nearest, m.enter);
+        }
+        farthest = std::max(farthest, nearest);
+      }
+      EXPECT_GE(double(walls[std::size_t(tile)]), farthest * (1.0 - 1e-6)) << tile;
+      near += double(walls[std::size_t(tile)]) < farthest + 0.3;
+    }
+    EXPECT_GT(near, 15) << "tiles with a wall";
+  }
 }
 
 TEST(RasterizeSpheres, lieBeforeAndBehindTriangles) {

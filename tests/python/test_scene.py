@@ -102,6 +102,20 @@ class Scenes(unittest.TestCase):
         values = engine.transmittance("sun", np.array([[0, 1, 0], [0, 0, 0], [0, -1, 0]], np.float32))
         np.testing.assert_allclose(values, [1, 0.5, 0.25], atol=0.01)
 
+    def test_ambient_occlusion(self):
+        centers = np.array([[0, 0, 0], [0, 1, 0], [1, 0.5, 0]], np.float32)
+        scene = scenes.scene()
+        scene.volumes = []
+        scene.spheres = [cdsm.Spheres(name="balls", centers=centers, radii=np.full(3, 0.5, np.float32))]
+        engine = cdsm.Engine()
+        plain = engine.render(scene)
+        scene.ambient_occlusion = cdsm.AmbientOcclusion(directions=8, resolution=16)
+        darker = engine.render(scene)
+        self.assertTrue(engine.stats["ambient_occlusion"]["filled"])
+        self.assertTrue(np.all(darker <= plain) and np.any(darker < plain))
+        with self.assertRaisesRegex(cdsm.Error, "ambient_occlusion needs"):
+            cdsm.validate(cdsm.Scene(ambient_occlusion=cdsm.AmbientOcclusion()))
+
     def test_wrong_values_say_what_would_be_right(self):
         wrong = [(lambda: cdsm.Camera(fow=3), "Camera has no 'fow'; known: fov, position"),
                  (lambda: cdsm.Camera(fov="wide"), "Camera.fov is 'wide', must be a number"),

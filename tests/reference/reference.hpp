@@ -48,6 +48,10 @@ Visibility visibility(const World& world, const Ray& ray, double depthPerT, doub
 /// The same for a spot light; `direction` of any length.
 Visibility visibility(const World& world, const Light& light, const glm::dvec3& direction, double step = kEngineStep);
 
+/// The part of the hemisphere around the unit vector `normal` that is seen from a point, weighted by the cosine: no
+/// sphere within `distance`. Of so many rays, spread evenly.
+double ambientSeen(const World& world, const glm::dvec3& point, const glm::dvec3& normal, double distance, int rays);
+
 /// The ray of the camera through a position on the image: pixels, y down, the centre of the first pixel at 0.5, 0.5.
 Ray cameraRay(const Scene& scene, double px, double py);
 

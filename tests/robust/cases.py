@@ -373,6 +373,9 @@ def molecule(name, text, content, file="atoms.xyz", more=b"", status=1):
 
 MOLECULES = [
     molecule("atoms", "", inputs.ATOMS_XYZ, status=0),
+    molecule("atoms that occlude", "", inputs.ATOMS_XYZ, more=b"[ambient_occlusion]", status=0),
+    scene("ambient occlusion of nothing", "scene.toml:2:1: ambient_occlusion needs [[spheres]]", b"[camera]",
+          b"[ambient_occlusion]\n[camera]"),
     molecule("a PDB entry", "", inputs.pdb("  O"), "atoms.pdb", status=0),
     molecule("an mmCIF entry", "", inputs.mmcif("2.0"), "atoms.cif", status=0),
     molecule("packed atoms", "", gzip.compress(inputs.ATOMS_XYZ), "atoms.xyz.gz", status=0),
@@ -602,8 +605,5 @@ FRAMES = [
     Case("frames without a format", "0.jpg", NAMELESS + ["--frames", "0:1", "-o", "%d.jpg"]),
 ]
 
-LATER = [scene("unsupported ambient occlusion", "'ambient_occlusion' in the scene is not supported yet", b"[[mesh]]",
-           b"[ambient_occlusion]\n[[mesh]]")]
-
 CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + COMPARISONS + RUNS + VIEWS + USAGE
-         + FRAMES + LATER)
+         + FRAMES)

@@ -350,10 +350,38 @@ TEST_F(SceneFile, RefusesTransmissionsAtTheirPlace) {
   });
 }
 
-TEST_F(SceneFile, RefusesWhatIsNotSupportedYet) {
+TEST_F(SceneFile, ReadsAmbientOcclusionOfSpheres) {
+  write("two.xyz", "2\n\nC 0 0 0\nC 1 0 0\n");
+  const std::string spheres = kMaterial + "[[spheres]]\nname = 's'\nfile = 'two.xyz'\nmaterial = 'm'\n";
+  EXPECT_FALSE(read(spheres).ambientOcclusion);
+  const auto plain = read(spheres + "[ambient_occlusion]\n").ambientOcclusion;
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->directions, 16);
+  EXPECT_EQ(plain->distance, 0.7f);
+  EXPECT_EQ(plain->resolution, 0);
+  EXPECT_EQ(plain->strength, 1.0f);
+  const auto other = read(spheres + "[ambient_occlusion]\ndirections = 32\nresolution = 64\n",
+                          {"ambient_occlusion.distance=0.5", "ambient_occlusion.strength=2"})
+                         .ambientOcclusion;
+  EXPECT_EQ(other->directions, 32);
+  EXPECT_EQ(other->distance, 0.5f);
+  EXPECT_EQ(other->resolution, 64);
+  EXPECT_EQ(other->strength, 2.0f);
+  EXPECT_EQ(read(spheres, {"ambient_occlusion.resolution=auto"}).ambientOcclusion->resolution, 0);
+}
+
+TEST_F(SceneFile, RefusesWrongAmbientOcclusion) {
+  const std::string table = "[ambient_occlusion]\n";
   expectComplaints({
-      {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
-      {"[ambient_occlusion]\n", "scene.toml:1:1: 'ambient_occlusion' in the scene is not supported yet"},
+      {table, "scene.toml:1:1: ambient_occlusion needs [[spheres]]"},
+      {table + "directions = 300\n", "scene.toml:2:14: directions is 300, must be in [4, 256]"},
+      {table + "distance = 0\n", "scene.toml:2:12: distance is 0, must be in (0, 2] longest sides"},
+      {table + "resolution = 4\n", "scene.toml:2:14: resolution is 4, must be in [8, 256] cells"},
+      {table + "resolution = 'fine'\n", "scene.toml:2:14: resolution must be \"auto\" or an integer in [8, 256] cells"},
+      {table + "strength = -1\n", "scene.toml:2:12: strength is -1, must be at least 0"},
+      {table + "distanse = 1\n", "scene.toml:2:1: unknown key 'distanse' in [ambient_occlusion]"},
+      {"ambient_occlusion = 3\n",
+       "scene.toml:1:21: 'ambient_occlusion' is a value, must be a table [ambient_occlusion]"},
   });
 }
 
@@ -396,7 +424,7 @@ TEST_F(SceneFile, NamesTheOverrideThatIsWrong) {
       {"image.a.width=3", "the key must have the form image.KEY"},
       {"light.fill.name=key", "light 'key' is already in line 2"},
       {"animate.x.key=3", "'animate' has no dotted keys, its tables must be changed in the scene file"},
-      {"ambient_occlusion.directions=3", "'ambient_occlusion' is not supported yet"},
+      {"ambient_occlusion.directions=3", "directions is 3, must be in [4, 256]"},
       {"width", "must be KEY=VALUE"},
       {"width=3", "must be KEY=VALUE with a dotted KEY"},
       {"=", "must be KEY=VALUE"},

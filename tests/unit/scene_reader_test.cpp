@@ -156,7 +156,7 @@ TEST_F(AnimatedScene, RefusesWrongKeysAtTheirPlace) {
       {"camera.left.fov", "[[0, 1]]", "must have the form camera.KEY"},
       {"light.cutoff", "[[0, 1]]", "must have the form light.NAME.KEY"},
       {"light.kee.cutoff", "[[0, 1]]", "unknown light 'kee', must be one of: key, fill.two, sun"},
-      {"ambient_occlusion.distance", "[[0, 1]]", "'ambient_occlusion' is not supported yet"},
+      {"ambient_occlusion.left.distance", "[[0, 1]]", "must have the form ambient_occlusion.KEY"},
       {"animate.a.frames", "[[0, 1]]", "'animate' has no dotted keys"},
       {"shadows.technique", "[[0, 1]]", "'technique' is a text, must be a key with numbers"},
       {"volume.smoke.file", "[[0, 1]]", "'file' is a text"},

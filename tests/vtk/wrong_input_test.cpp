@@ -191,6 +191,12 @@ TEST(WrongInput, ofQueriesIsTold) {
   filter->Update();
   EXPECT_NE(log.text.find("Bias is -1"), std::string::npos) << log.text;
   filter->SetBias(0);
+  ShadowSettings colored;
+  colored.transmittance = "rgb";
+  filter->SetShadows(colored);
+  filter->Update();
+  EXPECT_NE(log.text.find("must be 'grey'"), std::string::npos) << log.text;
+  filter->SetShadows(ShadowSettings());
   filter->Update();
   EXPECT_EQ(valuesOf(filter->GetOutput()).size(), 5u);
 }

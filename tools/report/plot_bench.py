@@ -272,11 +272,25 @@ def plot_query(results):
     return figure
 
 
+def plot_spheres(results):
+    ratios, times = results["tables"]
+    counts = row_of(times, "spheres")["ours"]
+    figure, (axis,) = panels(1, 6.5, 3.6)
+    for number, row in enumerate(ratios["rows"]):
+        axis.plot(range(len(counts)), row["ours"], color=COLOURS[number], marker=MARKERS[number], label=row["label"])
+    axis.plot(range(len(counts)), ratios["rows"][0]["wanted"], color=BLACK, linestyle=":", label="paper, about; wanted")
+    ticks(axis, [f"{name}\n{count:.0f}" for name, count in zip(ratios["columns"], counts)])
+    axis.set(ylabel="frame / frame by local lighting alone", ylim=(0, None))
+    axis.legend(loc="lower left")
+    figure.tight_layout()
+    return figure
+
+
 PLOTS = {
     "demo": plot_demo, "map-size": plot_map_size, "volume-size": plot_variants, "tolerance": plot_variants,
     "objects": plot_objects, "chunks": plot_chunks, "gallery": plot_gallery, "clustering": plot_clustering,
     "memory": plot_memory, "techniques": plot_techniques,
-    "query": plot_query, "stochastic": plot_stochastic,
+    "query": plot_query, "stochastic": plot_stochastic, "spheres": plot_spheres,
 }
 
 

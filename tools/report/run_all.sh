@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures every suite of `cdsm bench` with build/cdsm, about 10 minutes on 2 quiet cores: figures to build/bench/,
+# Measures every suite of `cdsm bench` with build/cdsm, about 15 minutes on 2 quiet cores: figures to build/bench/,
 # plots to docs/images/, tables into docs/benchmarks.md.
 # usage: run_all.sh [RUNS [OPTION...]]    (5 runs for each figure; options go to `cdsm bench`, e.g. --device 1:0)
 # PYTHON names a Python 3 with NumPy and Matplotlib.
@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 python=${PYTHON:-python3}
 runs=${1:-5}
 options=("${@:2}")
-suites="demo map-size volume-size tolerance objects chunks memory techniques query stochastic gallery clustering"
+suites="demo map-size volume-size tolerance objects chunks memory techniques query stochastic spheres gallery clustering"
 
 [ -x build/cdsm ] || { echo "error: there is no build/cdsm; bash tools/demo.sh builds it" >&2; exit 1; }
 "$python" -c "import numpy, matplotlib" || {

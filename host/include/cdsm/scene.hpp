@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,14 @@ struct ShadowSettings {
   float bias = 0.0f;                 ///< world units towards the light for surface points; 0: chosen from the scene
 };
 
+/// How much of their surroundings spheres see, which weakens their ambient light [Krone 2017, §4].
+struct AmbientOcclusion {
+  int directions = 16;    ///< that are looked along, in [4, 256]
+  float distance = 0.7f;  ///< up to which spheres occlude, in longest sides of the box around them, in (0, 2]
+  int resolution = 0;     ///< cells along that side, in [8, 256]; 0: chosen from the spheres' radii
+  float strength = 1.0f;  ///< factor of the optical depth of what occludes, at least 0
+};
+
 /// Spot: a cone from a point. Omni: from a point to all sides. Directional: parallel light from infinitely far away.
 enum class LightType { Spot, Omni, Directional };
 
@@ -109,8 +118,8 @@ struct Mesh {
   glm::mat4 worldFromObject{1.0f};
   float interiorExtinction = 0.0f;  ///< 1 / world length; > 0 needs a closed mesh
   glm::vec3 interiorColor{1.0f};
-  glm::vec3 interiorTransmission{0.0f};  ///< as Material::transmission, of the interior
   ShadowRole shadow;
+  glm::vec3 interiorTransmission{0.0f};  ///< as Material::transmission, of the interior
 };
 
 /// Spheres in object space, each with its own radius > 0. Either no colours or one per centre.
@@ -169,8 +178,8 @@ struct TransferFunction {
   std::vector<OpacityPoint> opacity;
   std::vector<OpacityPoint> shadowOpacity;  ///< in place of `opacity` where light is attenuated; empty: the same
   std::vector<ColorPoint> color;
-  std::vector<ColorPoint> transmission;  ///< as Material::transmission, by value; empty: none
   float unitDistance = 1.0f;             ///< world length for which the opacities hold, > 0
+  std::vector<ColorPoint> transmission{};  ///< as Material::transmission, by value; empty: none
 
   const std::vector<OpacityPoint>& towardsLights() const { return shadowOpacity.empty() ? opacity : shadowOpacity; }
 };
@@ -197,6 +206,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Volume> volumes;
   std::vector<Spheres> spheres;
+  std::optional<AmbientOcclusion> ambientOcclusion;  ///< of the spheres; needs some
 };
 
 /// Throws Error when a value is out of its range, an index points nowhere, a camera or light is degenerate, a

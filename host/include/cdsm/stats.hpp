@@ -48,6 +48,13 @@ struct CacheStats {
   bool filled = false;  ///< in this frame; false: as it was
 };
 
+/// Of ambient occlusion.
+struct OcclusionStats {
+  std::uint64_t bytes = 0;
+  int width = 0, height = 0, depth = 0;  ///< cells of its grid along x, y, z
+  bool filled = false;                   ///< in this frame; false: as it was
+};
+
 /// All launches of a kernel, or transfers, of one human name. Milliseconds are 0 on a queue that keeps no times.
 struct KernelTime {
   std::string name;
@@ -65,10 +72,12 @@ struct ViewStats {
 struct FrameStats {
   int frame = 0;
   double clusterMs = 0.0, rasterizeMs = 0.0, buildMapsMs = 0.0, renderMs = 0.0;
+  double ambientOcclusionMs = 0.0;
   double totalMs = 0.0;  ///< wall clock
   std::vector<LightStats> lights;
   MemoryStats memory;
-  std::optional<CacheStats> cache;  ///< none without one
+  std::optional<CacheStats> cache;                 ///< none without one
+  std::optional<OcclusionStats> ambientOcclusion;  ///< the same
   std::vector<KernelTime> kernels;
   bool deviceTimes = true;            ///< false: the queue was made without profiling, times of the device are 0
   std::uint64_t uploadedBytes = 0;    ///< from host to device, by the transfers "upload ..." among `kernels`

@@ -33,6 +33,7 @@ RasterPass::RasterPass(device::Device& device)
       scan_(device),
       triangles_(device, "\"build/screen_triangle.clh\"", kTriangleNames),
       spheres_(device, "\"build/screen_sphere.clh\"", kSphereNames),
+      walls_(device),
       setupTriangles_(device, programOf(device, "build/setup_triangles.cl"), "setupTriangles"),
       setupSpheres_(device, programOf(device, "build/setup_spheres.cl"), "setupSpheres"),
       sortFragments_(device, sortProgram(device, "1"), "sortFragments"),
@@ -62,10 +63,12 @@ void RasterPass::setUpTriangles(const DeviceScene& scene, const ObjectSet& objec
 void RasterPass::setUpSpheres(const DeviceScene& scene, const ObjectSet& objects, const shared::ViewData& view,
                               const Report& report, float leastRadius) {
   using List = ScreenList<shared::ScreenSphere>;
+  if (objects.spheres.empty()) return spheres_.setUp({}, {}, report);
+  walls_.run(scene, objects, view, leastRadius);
   const auto setUp = [&](shared::SetupParams params, List& list) {
     params.leastRadius = leastRadius;
     setupSpheres_({list.names().setUp, {params.count}, {List::kGroup}}, params, view, scene.spheres(), objects.objects,
-                  list.screen(), list.counters(), list.large());
+                  walls_.hidden(), walls_.pixels(), list.screen(), list.counters(), list.large());
   };
   spheres_.setUp(objects.spheres, setUp, report);
 }

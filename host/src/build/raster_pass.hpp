@@ -7,6 +7,7 @@
 
 #include "build/device_scene.hpp"
 #include "build/screen_list.hpp"
+#include "build/sphere_walls.hpp"
 #include "device/buffer.hpp"
 #include "device/kernel.hpp"
 #include "device/scan.hpp"
@@ -53,12 +54,14 @@ class RasterPass {
   ScreenList<shared::ScreenTriangle> triangles_;
   ScreenList<shared::ScreenSphere> spheres_;
   TileBuffers tiles_;
+  SphereWalls walls_;
 
   device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::uint4>, device::Buffer<float>,
                  device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenTriangle>, Counters, Uints>
       setupTriangles_;
   device::Kernel<shared::SetupParams, shared::ViewData, device::Buffer<shared::SceneSphere>,
-                 device::Buffer<shared::ObjectData>, device::Buffer<shared::ScreenSphere>, Counters, Uints>
+                 device::Buffer<shared::ObjectData>, device::Buffer<std::uint8_t>, Uints,
+                 device::Buffer<shared::ScreenSphere>, Counters, Uints>
       setupSpheres_;
   using SortKernel = device::Kernel<shared::ViewData, device::Buffer<shared::ScreenTriangle>,
                                     device::Buffer<shared::ScreenSphere>, Uints, Uints, device::Buffer<std::uint64_t>,

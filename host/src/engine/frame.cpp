@@ -22,6 +22,7 @@ FrameState::FrameState(const EngineOptions& options, std::unique_ptr<device::Dev
       shade_(*device_),
       query_(*device_),
       cache_(*device_),
+      occlusion_(*device_),
       debug_(*device_),
       mapReader_(*device_) {
   device_->profiler().setTrace(options_.trace);
@@ -42,6 +43,7 @@ void FrameState::check(const Scene& scene) {
   scene::validateImage(scene.image);
   scene::validateShadows(scene.shadows);
   scene::validateTechnique(scene);
+  scene::validateOcclusion(scene);
   for (const Light& light : scene.lights) scene::validateLight(light);
 }
 
@@ -49,6 +51,7 @@ void FrameState::render(const Scene& scene, glm::vec4* pixels) {
   const device::HostStep traced = step("render image");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
+  prepareOcclusion(scene);
 
   progress("render", 0.0f);
   device_->profiler().beginGroup("render");
@@ -68,7 +71,8 @@ build::Layers& FrameState::rasterizeCamera(const Scene& scene) {
 
 render::ShadedView FrameState::shade(const Scene& scene) {
   const device::HostStep traced = step("shade view");
-  render::ShadedView shaded = shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_);
+  render::ShadedView shaded =
+      shade_.run(scene, deviceScene_, rasterizeCamera(scene), lights_, *technique_, cache_, occlusion_);
   stats_.shadedSamples = std::accumulate(shaded.samples.begin(), shaded.samples.end(), std::uint64_t(0));
   return shaded;
 }
@@ -129,6 +133,12 @@ void FrameState::prepareTechnique(const Scene& scene, cluster::Purpose purpose, 
   technique_->prepare({scene, deviceScene_, raster_, report, purpose, objectsChanged});
 }
 
+void FrameState::prepareOcclusion(const Scene& scene) {
+  const device::HostStep traced = step("prepare ambient occlusion");
+  device_->profiler().beginGroup("ambient occlusion");
+  occlusion_.prepare(scene, deviceScene_, [this](const char* step, float done) { progress(step, done); });
+}
+
 void FrameState::uploadLights(const Scene& scene) {
   std::vector<shared::LightData> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -152,6 +162,7 @@ void FrameState::finishStats(const Scene& scene) {
   device::Profiler& profiler = device_->profiler();
   stats_.rasterizeMs = profiler.groupMilliseconds("rasterize");
   stats_.buildMapsMs = profiler.groupMilliseconds("build maps");
+  stats_.ambientOcclusionMs = profiler.groupMilliseconds("ambient occlusion");
   stats_.renderMs = profiler.groupMilliseconds("render");
   stats_.kernels = profiler.kernels();
   stats_.uploadedBytes = profiler.uploadedBytes();
@@ -165,6 +176,7 @@ void FrameState::addMapStats(const Scene& scene) {
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.cache = cache_.stats();
+  stats_.ambientOcclusion = occlusion_.stats();
   if (!prepared_) forgetBuilding();
   if (options_.warning)
     for (const std::string& warning : stats_.warnings) options_.warning(warning);

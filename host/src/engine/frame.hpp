@@ -13,6 +13,7 @@
 #include "device/device.hpp"
 #include "device/host_step.hpp"
 #include "device/mirror.hpp"
+#include "render/ambient_occlusion.hpp"
 #include "render/debug_pass.hpp"
 #include "render/map_reader.hpp"
 #include "render/query_pass.hpp"
@@ -79,6 +80,8 @@ class FrameState {
   render::QueryScene queryScene() const { return {*current_, deviceScene_, lights_, *technique_, cache_}; }
   void uploadObjects(const Scene& scene);
   void prepareTechnique(const Scene& scene, cluster::Purpose purpose, bool objectsChanged);
+  /// Pictures alone ask for it.
+  void prepareOcclusion(const Scene& scene);
   void uploadLights(const Scene& scene);
   /// The camera's fragments. They are used up by the pass that walks them.
   build::Layers& rasterizeCamera(const Scene& scene);
@@ -107,6 +110,7 @@ class FrameState {
   render::ShadePass shade_;
   render::QueryPass query_;
   render::ShadowVolume cache_;
+  render::AmbientOcclusion occlusion_;
   render::DebugPass debug_;
   render::MapReader mapReader_;
   std::unique_ptr<technique::ShadowTechnique> technique_;

@@ -91,6 +91,7 @@ void FrameState::drop() {
   current_.reset();
   technique_.reset();
   cache_.drop();
+  occlusion_.drop();
   query_.forgetKernel();
   deviceScene_.update(Scene());
 }

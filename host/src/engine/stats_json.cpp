@@ -67,11 +67,9 @@ Json viewJson(const ViewStats& view) {
 }
 
 Json frameJson(const FrameStats& frame) {
-  const Json times = {{"cluster", frame.clusterMs},
-                      {"rasterize", frame.rasterizeMs},
-                      {"build_maps", frame.buildMapsMs},
-                      {"render", frame.renderMs},
-                      {"total", frame.totalMs}};
+  const Json times = {{"cluster", frame.clusterMs},      {"rasterize", frame.rasterizeMs},
+                      {"build_maps", frame.buildMapsMs}, {"ambient_occlusion", frame.ambientOcclusionMs},
+                      {"render", frame.renderMs},        {"total", frame.totalMs}};
   Json json = {{"frame", frame.frame},
                {"time_ms", times},
                {"lights", lightsJson(frame.lights)},
@@ -81,6 +79,10 @@ Json frameJson(const FrameStats& frame) {
                {"warnings", frame.warnings},
                {"reports", frame.reports}};
   if (frame.cache) json["cache"] = {{"bytes", frame.cache->bytes}, {"filled", frame.cache->filled}};
+  if (const auto& occlusion = frame.ambientOcclusion)
+    json["ambient_occlusion"] = {{"bytes", occlusion->bytes},
+                                 {"cells", {occlusion->width, occlusion->height, occlusion->depth}},
+                                 {"filled", occlusion->filled}};
   if (frame.view) json["view"] = viewJson(*frame.view);
   return json;
 }

@@ -14,6 +14,7 @@ Image FrameState::renderView(const Scene& scene, DebugView view, std::size_t lig
   const device::HostStep traced = step("render debug picture");
   beginStats();
   prepare(scene, cluster::Purpose::Image);
+  prepareOcclusion(scene);
   stats_.view = ViewStats{nameOf(view), {}};
 
   progress("render", 0.0f);
@@ -70,7 +71,8 @@ std::vector<std::int64_t> FrameState::viewCounts(const Scene& scene, DebugView v
     dark.lights.clear();
     build::Layers& layers = rasterizeCamera(scene);
     for (const std::uint32_t count :
-         shade_.run(dark, deviceScene_, layers, lights_, technique::None(), render::ShadowVolume(*device_)).samples)
+         shade_.run(dark, deviceScene_, layers, lights_, technique::None(), render::ShadowVolume(*device_), occlusion_)
+             .samples)
       countOrNothing(count);
   }
   return counts;

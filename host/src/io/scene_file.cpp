@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -32,7 +33,7 @@ toml::table parseScene(const std::string& path) {
 
 std::vector<std::string> allTables() {
   std::vector<std::string> names;
-  for (const auto* list : {&kSceneTables, &kSceneArrays, &kLaterSceneTables}) {
+  for (const auto* list : {&kSceneTables, &kSceneArrays}) {
     names.insert(names.end(), list->begin(), list->end());
   }
   names.push_back(kAnimateArray);
@@ -80,22 +81,20 @@ void readAll(const TableReader& root, const std::string& kind, std::vector<Objec
   }
 }
 
-/// Only the whole scene can tell.
-void requireTechnique(const TableReader& root, const Scene& scene) {
-  const toml::table* shadows = findTable(root, "shadows");
-  if (shadows)
-    TableReader(*shadows, "[shadows]", keyNamesOf("shadows")).locate("technique", [&] {
-      scene::validateTechnique(scene);
-    });
+/// Checks of what only the whole scene can tell, with the place of a key of the table, or of the table itself.
+void requireOf(const TableReader& root, const std::string& table, const std::string& key,
+               const std::function<void()>& check) {
+  if (const toml::table* found = findTable(root, table))
+    TableReader(*found, "[" + table + "]", keyNamesOf(table)).locate(key, check);
 }
 
 Scene readTree(const toml::table& tree, AssetCache& assets) {
   const TableReader root(tree, "the scene", allTables());
-  for (const std::string& name : kLaterSceneTables) root.refuse(name);
   Scene scene;
   if (const toml::table* table = findTable(root, "camera")) scene.camera = readCamera(*table);
   if (const toml::table* table = findTable(root, "image")) scene.image = readImageSettings(*table);
   if (const toml::table* table = findTable(root, "shadows")) scene.shadows = readShadows(*table);
+  if (const toml::table* table = findTable(root, "ambient_occlusion")) scene.ambientOcclusion = readOcclusion(*table);
   readAll(root, "light", scene.lights, readLight);
   readAll(root, "material", scene.materials, readMaterial);
   readAll(root, "mesh", scene.meshes, [&](const toml::table& table) { return readMeshTable(table, scene, assets); });
@@ -103,7 +102,8 @@ Scene readTree(const toml::table& tree, AssetCache& assets) {
           [&](const toml::table& table) { return readVolumeTable(table, scene, assets); });
   readAll(root, "spheres", scene.spheres,
           [&](const toml::table& table) { return readSpheresTable(table, scene, assets); });
-  requireTechnique(root, scene);
+  requireOf(root, "shadows", "technique", [&] { scene::validateTechnique(scene); });
+  requireOf(root, "ambient_occlusion", "", [&] { scene::validateOcclusion(scene); });
   return scene;
 }
 

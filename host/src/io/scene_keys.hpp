@@ -8,12 +8,10 @@
 
 namespace cdsm::io {
 
-inline const std::vector<std::string> kSceneTables{"camera", "image", "shadows"};
+inline const std::vector<std::string> kSceneTables{"camera", "image", "shadows", "ambient_occlusion"};
 inline const std::vector<std::string> kSceneArrays{"light", "material", "mesh", "volume", "spheres"};
 /// Not of the scene itself: how its numbers change from frame to frame.
 inline const std::string kAnimateArray = "animate";
-/// Of the contract, but refused by this version.
-inline const std::vector<std::string> kLaterSceneTables{"ambient_occlusion"};
 
 /// What a key's value looks like.
 enum class KeyShape {

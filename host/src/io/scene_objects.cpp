@@ -18,8 +18,8 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kTransmissions{{"color"}, {}};
-const Choices kLightTypes{{"spot", "omni", "directional"}, {}};
+const Choices kTransmissions{"color"};
+const Choices kLightTypes{"spot", "omni", "directional"};
 
 /// Keys that not all lights have, and the types that have them.
 const std::vector<std::pair<const char*, std::vector<LightType>>> kTypedLightKeys{

@@ -52,6 +52,7 @@ class AssetCache {
 Camera readCamera(const toml::table& table);
 ImageSettings readImageSettings(const toml::table& table);
 ShadowSettings readShadows(const toml::table& table);
+AmbientOcclusion readOcclusion(const toml::table& table);
 
 Light readLight(const toml::table& table);
 Material readMaterial(const toml::table& table);

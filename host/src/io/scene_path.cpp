@@ -18,7 +18,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// As many names in the path as the kind of table needs.
 void checkShape(const ScenePath& path, const Location& place) {
   const bool isArray = contains(kSceneArrays, path.kind);
-  if (contains(kLaterSceneTables, path.kind)) throw Error(place, "'" + path.kind + "' is not supported yet");
   if (path.kind == kAnimateArray) {
     throw Error(place, "'animate' has no dotted keys, its tables must be changed in the scene file");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [camera], [image] and [shadows] of a scene file.
+// [camera], [image], [shadows] and [ambient_occlusion] of a scene file.
 #include "io/scene_keys.hpp"
 #include "io/scene_parts.hpp"
 #include "scene/range.hpp"
@@ -8,16 +8,15 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kTechniques{{"none", "shadow-rays", "shadow-map", "deep-shadow-map", "stochastic", "implicit-sphere"},
-                          {}};
-const Choices kMemories{{"atlas", "chunked", "exact", "tiled", "fixed"}, {}};
-const Choices kNodeFormats{{"float32", "unorm16"}, {}};
-const Choices kFilters{{"bilinear", "nearest"}, {}};
-const Choices kToleranceModes{{"samples", "everywhere"}, {}};
-const Choices kOverflows{{"error", "coarsen"}, {}};
-const Choices kRays{{"exact", "opaque"}, {}};
-const Choices kTransmittances{{"grey", "rgb"}, {}};
-const Choices kCaches{{"none", "volume"}, {}};
+const Choices kTechniques{"none", "shadow-rays", "shadow-map", "deep-shadow-map", "stochastic", "implicit-sphere"};
+const Choices kMemories{"atlas", "chunked", "exact", "tiled", "fixed"};
+const Choices kNodeFormats{"float32", "unorm16"};
+const Choices kFilters{"bilinear", "nearest"};
+const Choices kToleranceModes{"samples", "everywhere"};
+const Choices kOverflows{"error", "coarsen"};
+const Choices kRays{"exact", "opaque"};
+const Choices kTransmittances{"grey", "rgb"};
+const Choices kCaches{"none", "volume"};
 
 }  // namespace
 
@@ -76,6 +75,16 @@ ShadowSettings readShadows(const toml::table& table) {
   shadows.bias = reader.number("bias", shadows.bias, scene::kNotNegative);
   reader.locate("tolerance", [&] { scene::validateShadows(shadows); });  // all else has been checked above
   return shadows;
+}
+
+AmbientOcclusion readOcclusion(const toml::table& table) {
+  const TableReader reader(table, "[ambient_occlusion]", keyNamesOf("ambient_occlusion"));
+  AmbientOcclusion occlusion;
+  occlusion.directions = reader.integer("directions", occlusion.directions, scene::kDirections);
+  occlusion.distance = reader.number("distance", occlusion.distance, scene::kOcclusionDistance);
+  occlusion.resolution = reader.integerOr("resolution", occlusion.resolution, scene::kOcclusionResolution, "auto", 0);
+  occlusion.strength = reader.number("strength", occlusion.strength, scene::kNotNegative);
+  return occlusion;
 }
 
 }  // namespace cdsm::io

@@ -11,7 +11,7 @@
 namespace cdsm::io {
 namespace {
 
-const Choices kColors{{"element"}, {}};
+const Choices kColors{"element"};
 std::optional<glm::vec3> readColor(const TableReader& reader) {
   if (reader.has("color") && !reader.table().get("color")->is_string())
     return reader.vector("color", glm::vec3(1.0f), scene::kNotNegative);

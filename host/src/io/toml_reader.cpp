@@ -179,16 +179,8 @@ std::vector<std::vector<float>> TableReader::points(std::string_view key, std::s
 
 std::string TableReader::choice(std::string_view key, const std::string& fallback, const Choices& choices) const {
   const std::string value = text(key, fallback);
-  const auto& [supported, later] = choices;
-  if (std::find(supported.begin(), supported.end(), value) != supported.end()) return value;
-  if (std::find(later.begin(), later.end(), value) != later.end()) {
-    fail(key, std::string(key) + " '" + value + "' is not supported yet, must be one of: " + joinNames(supported));
-  }
-  fail(key, "unknown " + std::string(key) + " '" + value + "'" + suggestion(value, supported));
-}
-
-void TableReader::refuse(std::string_view key) const {
-  if (has(key)) fail(key, "'" + std::string(key) + "' in " + title_ + " is not supported yet, must be left out");
+  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
+  fail(key, "unknown " + std::string(key) + " '" + value + "'" + suggestion(value, choices));
 }
 
 }  // namespace cdsm::io

@@ -24,11 +24,8 @@ inline constexpr std::string_view kAnimatePrefix = "[[animate]] ";
 Location locationOf(const toml::source_region& source);
 [[noreturn]] void failAt(const toml::source_region& source, const std::string& message);
 
-/// Values of a key that stands for one of several names.
-struct Choices {
-  std::vector<std::string> supported;
-  std::vector<std::string> later;  ///< names of the contract that this version refuses
-};
+/// The texts that a key may have.
+using Choices = std::vector<std::string>;
 
 /// One table of the file. The table must outlive the reader. Getters give the fallback for a missing key and throw
 /// Error for a value of the wrong type, length or range.
@@ -56,9 +53,6 @@ class TableReader {
   /// An array of rows of exactly `count` numbers each, the first of any size and the others in `range`; the first ones
   /// must ascend, equal ones are allowed. At least one row; the key must be there.
   std::vector<std::vector<float>> points(std::string_view key, std::size_t count, const scene::Range& range) const;
-
-  /// Throws "not supported yet" when the key is there.
-  void refuse(std::string_view key) const;
 
   /// Throws at the key's value, or at the table when the key is missing.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;

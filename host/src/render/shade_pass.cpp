@@ -27,11 +27,11 @@ float surfaceBias(const Scene& scene, const build::DeviceScene& deviceScene) {
 
 ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
                           const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
-                          const ShadowVolume& cache) {
-  using ShadeKernel =
-      device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
-                     device::Buffer<shared::LightData>, device::Buffer<shared::float4>, device::Buffer<std::uint32_t>,
-                     shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
+                          const ShadowVolume& cache, const AmbientOcclusion& occlusion) {
+  using ShadeKernel = device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
+                                     device::Buffer<shared::LightData>, AmbientOcclusion::Seen,
+                                     device::Buffer<shared::float4>, device::Buffer<std::uint32_t>,
+                                     shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
   const shared::ViewData& view = layers.view;
   const std::size_t pixels = std::size_t(view.width) * view.height;
   if (image_.size() != pixels || samples_.size() != pixels) {
@@ -43,10 +43,11 @@ ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceSc
   ShadeKernel shadePixels(device_,
                           build::sceneProgram(device_, deviceScene, "render/shade.cl", cache.kernelFiles(technique)),
                           "shadePixels");
+  shared::ShadeParams params = shadeParams(scene, deviceScene, view, technique.lookupTolerance(scene));
+  params.occlusion = occlusion.grid();
   const std::size_t items = std::size_t(view.tilesX) * view.tilesY * CDSM_TILE_PIXELS;
-  shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}},
-              shadeParams(scene, deviceScene, view, technique.lookupTolerance(scene)), layers.fragments, layers.ranges,
-              lights, image_, samples_, technique.params(scene), cache.arguments(technique),
+  shadePixels({"shade pixels", {items}, {CDSM_TILE_PIXELS}}, params, layers.fragments, layers.ranges, lights,
+              occlusion.seen(), image_, samples_, technique.params(scene), cache.arguments(technique),
               deviceScene.arguments(deviceScene.allObjects(), layers.initialObjects));
   ShadedView shaded;
   shaded.pixels = image_.download();

@@ -143,6 +143,18 @@ bool sameTransmittance(const Scene& a, const Scene& b) {
   return true;
 }
 
+bool sameOcclusion(const Scene& a, const Scene& b) {
+  const auto settings = [](const Scene& s) {
+    const auto& o = s.ambientOcclusion;
+    return o ? std::make_tuple(true, o->directions, o->distance, o->resolution, o->strength)
+             : std::make_tuple(false, 0, 0.0f, 0, 0.0f);
+  };
+  if (settings(a) != settings(b) || a.spheres.size() != b.spheres.size()) return false;
+  for (std::size_t i = 0; i < a.spheres.size(); ++i)
+    if (spheresCaster(a, i) != spheresCaster(b, i)) return false;
+  return true;
+}
+
 bool sameVisibility(const Scene& a, const Scene& b) {
   return std::equal(a.volumes.begin(), a.volumes.end(), b.volumes.begin(), b.volumes.end(),
                     [](const Volume& v, const Volume& w) { return sameLists(v.transfer.opacity, w.transfer.opacity); });

@@ -30,6 +30,9 @@ bool sameMapSettings(const ShadowSettings& a, const ShadowSettings& b);
 /// True if light arrives at points as before: the same lights, but for their colours, casters and technique.
 bool sameTransmittance(const Scene& a, const Scene& b);
 
+/// True if spheres occlude each other as before, by the same settings.
+bool sameOcclusion(const Scene& a, const Scene& b);
+
 /// True if volumes are seen where they were before: with the same opacities.
 bool sameVisibility(const Scene& a, const Scene& b);
 

@@ -50,6 +50,11 @@ inline constexpr Range kClusters{1, 64};
 inline constexpr Range kClusterDistance{0.0, 2.83, true};
 inline constexpr Range kClusterWeight{0.0, 1000.0, true};
 
+inline constexpr Range kDirections{4, 256};
+inline constexpr Range kOcclusionDistance{0.0, 2.0, true, false, "longest sides of the box around the spheres"};
+/// Cells along the longest side; 0: chosen by the engine.
+inline constexpr Range kOcclusionResolution{8, 256, false, false, "cells"};
+
 /// A number as messages show it: seven significant digits.
 std::string formatNumber(double value);
 

@@ -154,6 +154,18 @@ void validateTechnique(const Scene& scene) {
                 " knows all of the light or none, but shadows.transmittance is 'rgb', must be 'grey'");
 }
 
+void validateOcclusion(const Scene& scene) {
+  if (!scene.ambientOcclusion) return;
+  const AmbientOcclusion& occlusion = *scene.ambientOcclusion;
+  requireRange(occlusion.directions, kDirections, "ambient_occlusion directions");
+  requireRange(occlusion.distance, kOcclusionDistance, "ambient_occlusion distance");
+  if (occlusion.resolution != 0)
+    requireRange(occlusion.resolution, kOcclusionResolution, "ambient_occlusion resolution");
+  requireRange(occlusion.strength, kNotNegative, "ambient_occlusion strength");
+  if (scene.spheres.empty())
+    throw Error("ambient_occlusion needs [[spheres]] whose ambient light it weakens, of which the scene has none");
+}
+
 void validateLight(const Light& light) {
   const std::string what = quoted("light", light.name);
   requireVector(light.color, kNotNegative, what + ": color");
@@ -226,6 +238,7 @@ void validateScene(const Scene& scene, DataChecks& checks) {
   validateImage(scene.image);
   validateShadows(scene.shadows);
   validateTechnique(scene);
+  validateOcclusion(scene);
   for (const Light& light : scene.lights) validateLight(light);
   for (const Material& material : scene.materials) validateMaterial(material);
   for (const Mesh& mesh : scene.meshes) validateMesh(mesh, scene.materials.size(), checks);

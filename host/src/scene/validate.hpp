@@ -26,6 +26,9 @@ void validateShadows(const ShadowSettings& shadows);
 /// The technique has what it needs.
 void validateTechnique(const Scene& scene);
 
+/// Numbers of ambient occlusion, and that there are spheres.
+void validateOcclusion(const Scene& scene);
+
 void validateLight(const Light& light);
 void validateMaterial(const Material& material);
 

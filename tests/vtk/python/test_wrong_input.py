@@ -151,6 +151,10 @@ class WrongInput(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "Bias is 'big', must be a number"):
             query.SetBias("big")
         query.SetBias(0)
+        query.SetShadows(cdsm.ShadowSettings(transmittance="rgb"))
+        query.Update()
+        self.assertRegex(errors[-1], "must be 'grey'")
+        query.SetShadows(cdsm.ShadowSettings())
         query.Update()
         self.assertEqual(len(pipelines.values_of(query)), 5)
 
