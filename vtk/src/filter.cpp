@@ -122,7 +122,8 @@ cdsm::Scene vtkCdsmFilter::MakeScene(vtkInformationVector** inputs) {
 void vtkCdsmFilter::AddTransmittance(vtkInformationVector** inputs, vtkDataSet* output) {
   if (!(this->Bias >= 0.0)) throw cdsm::Error("Bias is " + std::to_string(this->Bias) + ", must be at least 0");
   if (this->Shadows.transmittance != "grey")
-    throw cdsm::Error("transmittance is '" + this->Shadows.transmittance + "', must be 'grey': one value for each point");
+    throw cdsm::Error("transmittance is '" + this->Shadows.transmittance +
+                      "', must be 'grey': one value for each point");
   cdsm::Engine& engine = this->UseEngine();
   const cdsm::Scene scene = this->MakeScene(inputs);
   engine.prepare(scene);

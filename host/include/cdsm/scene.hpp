@@ -178,7 +178,7 @@ struct TransferFunction {
   std::vector<OpacityPoint> opacity;
   std::vector<OpacityPoint> shadowOpacity;  ///< in place of `opacity` where light is attenuated; empty: the same
   std::vector<ColorPoint> color;
-  float unitDistance = 1.0f;             ///< world length for which the opacities hold, > 0
+  float unitDistance = 1.0f;               ///< world length for which the opacities hold, > 0
   std::vector<ColorPoint> transmission{};  ///< as Material::transmission, by value; empty: none
 
   const std::vector<OpacityPoint>& towardsLights() const { return shadowOpacity.empty() ? opacity : shadowOpacity; }
