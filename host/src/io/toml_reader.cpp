@@ -187,10 +187,6 @@ std::string TableReader::choice(std::string_view key, const std::string& fallbac
   fail(key, "unknown " + std::string(key) + " '" + value + "'" + suggestion(value, supported));
 }
 
-void TableReader::refuse(std::string_view key) const {
-  if (has(key)) fail(key, "'" + std::string(key) + "' in " + title_ + " is not supported yet, must be left out");
-}
-
 void TableReader::refuseUnlessEmpty(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (!node || (node->is_array() && node->as_array()->empty())) return;

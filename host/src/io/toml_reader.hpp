@@ -57,9 +57,7 @@ class TableReader {
   /// must ascend, equal ones are allowed. At least one row; the key must be there.
   std::vector<std::vector<float>> points(std::string_view key, std::size_t count, const scene::Range& range) const;
 
-  /// Throws "not supported yet" when the key is there.
-  void refuse(std::string_view key) const;
-  /// The same, unless it has its default: then nothing depends on it.
+  /// Throws "not supported yet" when the key is there, unless it has its default: then nothing depends on it.
   void refuseUnlessEmpty(std::string_view key) const;
 
   /// Throws at the key's value, or at the table when the key is missing.
