@@ -83,12 +83,13 @@ bool besideView(const ViewData* view, float3 center, float radius) {
          beyond((float)view->height * view->pixelW - view->pixelV, center, radius);
 }
 
-/// A work item per sphere of the scene. None that is hidden, or lies behind the walls of its pixels, is set up. One smaller than params.leastRadius covers as many pixels as if it were not, but
-/// its rays still meet the sphere as it is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide
-/// and high.
+/// A work item per sphere of the scene. None that is hidden, or lies behind the walls of its pixels, is set up. One smaller
+/// than params.leastRadius covers as many pixels as if it were not, but its rays still meet the sphere as it is, or are
+/// nearest to it where they miss it. Views are at most 2^16 tiles wide and high.
 __kernel void setupSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
-                           __global const ObjectData* objects, __global const uchar* hidden, __global const uint* depths,
-                           __global ScreenSphere* screen, __global RasterCounters* counters, __global uint* large) {
+                           __global const ObjectData* objects, __global const uchar* hidden,
+                           __global const uint* depths, __global ScreenSphere* screen,
+                           __global RasterCounters* counters, __global uint* large) {
   if (get_global_id(0) >= params.count) return;
   uint id = params.first + (uint)get_global_id(0);
   if (hidden[id]) return;

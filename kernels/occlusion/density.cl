@@ -80,7 +80,8 @@ __kernel void joinCells(int4 below, int4 level, __global uint* cells) {
   for (int k = 0; k < 64; ++k) {
     int3 step = (int3)(k & 3, k >> 2 & 3, k >> 4), at = 2 * (int3)(x, y, z) + step - 1;
     if (any(at < 0) || any(at >= below.xyz - 2)) continue;
-    sum += joinWeight(step.x) * joinWeight(step.y) * joinWeight(step.z) * (ulong)cells[borderedCell(below, at.x, at.y, at.z)];
+    uint weight = joinWeight(step.x) * joinWeight(step.y) * joinWeight(step.z);
+    sum += (ulong)weight * cells[borderedCell(below, at.x, at.y, at.z)];
   }
   cells[borderedCell(level, x, y, z)] = (uint)(sum / 512u);
 }
