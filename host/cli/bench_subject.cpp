@@ -35,6 +35,7 @@ Scene prepared(const BenchOptions& options, Scene scene) {
   scene.shadows.filter = "bilinear";
   scene.shadows.tolerance = 0.01f;
   scene.shadows.nodeFormat = "float32";
+  scene.shadows.transmittance = "grey";
   scene.shadows.cache = "none";
   return scene;
 }

@@ -7,10 +7,11 @@ namespace {
 constexpr auto kTechnique = &ShadowSettings::technique;
 constexpr auto kRays = &ShadowSettings::rays;
 constexpr auto kCache = &ShadowSettings::cache;
+constexpr auto kTransmittance = &ShadowSettings::transmittance;
 
 }  // namespace
 
-/// The first one is the reference.
+/// The first one is the reference. Those of all or nothing are grey in coloured light, too.
 const std::vector<ShadowVariant>& shadowVariants() {
   static const std::vector<ShadowVariant> variants{
       {"shadow-rays",
@@ -19,16 +20,21 @@ const std::vector<ShadowVariant>& shadowVariants() {
       {"none", "all is lit", {{"technique", kTechnique, "none"}, {"cache", kCache, "none"}}},
       {"shadow-rays-opaque",
        "the first sample above the threshold stops all light",
-       {{"technique", kTechnique, "shadow-rays"}, {"rays", kRays, "opaque"}, {"cache", kCache, "none"}}},
+       {{"technique", kTechnique, "shadow-rays"},
+        {"rays", kRays, "opaque"},
+        {"cache", kCache, "none"},
+        {"transmittance", kTransmittance, "grey"}}},
       {"shadow-map",
        "the depth of the first opaque hit in each texel",
-       {{"technique", kTechnique, "shadow-map"}, {"cache", kCache, "none"}}},
+       {{"technique", kTechnique, "shadow-map"}, {"cache", kCache, "none"}, {"transmittance", kTransmittance, "grey"}}},
       {"stochastic",
        "depths at which photons were stopped by chance",
        {{"technique", kTechnique, "stochastic"}, {"cache", kCache, "none"}}},
       {"implicit-sphere",
        "the nearest sphere of each texel, met by a ray to the light",
-       {{"technique", kTechnique, "implicit-sphere"}, {"cache", kCache, "none"}}},
+       {{"technique", kTechnique, "implicit-sphere"},
+        {"cache", kCache, "none"},
+        {"transmittance", kTransmittance, "grey"}}},
       {"deep-shadow-map",
        "the light that is left at each depth, compressed",
        {{"technique", kTechnique, "deep-shadow-map"}, {"cache", kCache, "none"}}},
