@@ -60,7 +60,8 @@ class ShadowSettings:
     bias: float
     def __init__(self, *, technique: str = ..., memory: str = ..., max_nodes: int = ..., node_format: str = ...,
                  map_size: int = ..., tolerance: float = ..., tolerance_mode: str = ..., filter: str = ...,
-                 rays: str = ..., transmittance: str = ..., threshold: float = ..., pcf: int = ..., samples: int = ..., patch: int = ..., softness: float = ...,
+                 rays: str = ..., transmittance: str = ..., threshold: float = ..., pcf: int = ..., samples: int = ...,
+                 patch: int = ..., softness: float = ...,
                  softness_distance: float = ..., softness_exponent: float = ..., seed: int = ...,
                  stratified: bool = ..., clusters: int = ..., cluster_distance: float = ..., stable: bool = ...,
                  step: float = ..., memory_limit_mb: float = ..., cache: str = ..., on_overflow: str = ...,

@@ -92,7 +92,10 @@ py::array transmittance(EngineObject& engine, const std::string& light, const py
   const auto* const first = static_cast<const glm::vec3*>(points.data());
   float* const result = values.mutable_data();
   const auto count = std::size_t(points.shape(0));
-  engine.work([&](Engine& e) { e.transmittance(light, first, count, result); });
+  engine.work([&](Engine& e) {
+    if (py::ssize_t(e.channels()) != channels) throw Error("the engine was given another scene meanwhile; ask again");
+    e.transmittance(light, first, count, result);
+  });
   return std::move(values);
 }
 

@@ -47,9 +47,10 @@ export TSAN_OPTIONS=suppressions=$suppressed/threads.txt:halt_on_error=0
 [ $# -gt 0 ] || set -- address thread
 for kind; do
   case $kind in
-    address | thread) "check_$kind" ;;
+    address | thread) ;;
     *) echo "error: there is no check '$kind', must be address or thread" >&2 && exit 1 ;;
   esac
 done
+for kind; do "check_$kind"; done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -58,7 +58,7 @@ std::vector<Table> benchQuery(const BenchOptions& options) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     table.rows[0].ours.push_back(rateOf(count, ms[0][i]));
     table.rows[1].ours.push_back(rateOf(count, ms[1][i]));
-    table.rows[2].ours.push_back(ms[2][i]);
+    table.rows[2].ours.push_back(ms[1][i] > 0.0 ? ms[2][i] : kNoFigure);
   }
   return {table};
 }

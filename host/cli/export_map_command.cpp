@@ -43,7 +43,11 @@ void addExportMapCommand(CLI::App& app) {
   auto options = std::make_shared<ExportMapOptions>();
   addSceneOptions(*command, *options);
   command->add_option("--light", options->light, "Name of the light")->required();
-  command->add_option("-o", options->file, "Deep EXR to write: one part per map, channels A, Z, ZBack")->required();
+  command
+      ->add_option("-o", options->file,
+                   "Deep EXR to write: one part per map, channels A, Z, ZBack "
+                   "(and AR, AG, AB if shadows.transmittance is rgb)")
+      ->required();
   command->add_flag("--tiled", options->tiled, "Tiles of 64 x 64 texels in place of scanlines");
   command->final_callback([options] { exportMap(*options); });
 }

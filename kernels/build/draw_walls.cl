@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some of the opaque spheres of a view -> per pixel the depth of the nearest of them, per tile the farthest of its
+// Some of the spheres of a view that nothing gets past -> per pixel the depth of the nearest of them, per tile the farthest of its
 // pixels'; these walls -> which spheres they hide.
 #include "build/sphere_walls.clh"
 
@@ -13,7 +13,7 @@ __kernel void drawWalls(WallParams params, ViewData view, __global const SceneSp
                         volatile __global uint* depths) {
   if (get_global_id(0) >= params.count) return;
   __global const SceneSphere* sphere = &spheres[params.first + params.stride * (uint)get_global_id(0)];
-  if (objects[as_uint(sphere->color.w)].diffuse.w < 1.0f) return;
+  if (!objects[as_uint(sphere->color.w)].hides) return;
   float4 world = worldSphere(sphere, objects);
   float depth = dot(view.depth.xyz, world.xyz) + view.depth.w;
   PixelBox box = pixelsAround(&view, world.xyz, world.w);

@@ -62,7 +62,7 @@ __kernel void gatherOcclusion(OcclusionParams params, __global const float4* dir
   if (number >= params.lastCell) return;
   int3 cell = cellOfNumber(number, params.grid.size);
   uint2 around = densitiesAround(&params, cells, cell);
-  bool buried = around.x >= (uint)CDSM_OCCLUSION_ONE;  // nothing comes through two cells or more of that
+  bool buried = around.x >= params.buried;
   if (around.y == 0 || buried) {
     seen[number] = buried ? (short4)(0) : CDSM_UNSEEN;
     return;

@@ -4,11 +4,11 @@
 #include "render/shade_media.clh"
 #include "render/shade_surface.clh"
 
-/// A group per tile, an item per pixel. seen: of ambient occlusion; image: rgba, row after row; samples[pixel]: volume samples shaded.
+/// A group per tile, an item per pixel. seen: of ambient occlusion; image: rgba, row after row; samples[pixel]: volume
+/// samples shaded.
 __kernel void shadePixels(ShadeParams params, __global ulong* fragments, __global const uint2* ranges,
                           __global const LightData* lights, __global const short4* seen, __global float4* image,
-                          __global uint* samples,
-                          CDSM_LIGHT_PARAMS, CDSM_SCENE_PARAMS) {
+                          __global uint* samples, CDSM_LIGHT_PARAMS, CDSM_SCENE_PARAMS) {
   CDSM_SCENE_ACCESS(scene);
   uint tile = (uint)get_group_id(0), pixel = (uint)get_local_id(0);
   int x = (int)(tile % (uint)params.view.tilesX) * CDSM_TILE + (int)(pixel & 7u);

@@ -24,7 +24,7 @@ typedef struct ScreenSphere {
   float4 outline;    ///< x, y: the centre's pixel; z, w: slope and shift of the rows' middles
   float4 reach;      ///< x, y, z: of the rows' half widths; w: 1, or 0 where there is no ellipse and rays decide
   uint firstTile, lastTile;  ///< of the box around the outline: x in the low 16 bits, y in the high ones
-  uint facing;       ///< CDSM_SPHERE_BIT + sphere number * 2 + (1: a ray crosses it twice, 0: it is opaque)
+  uint facing;       ///< CDSM_SPHERE_BIT + sphere number * 2 + (1: a ray crosses it twice, 0: nothing gets past it)
   float minDepth;
 } ScreenSphere;
 CDSM_SIZE(ScreenSphere, 64);

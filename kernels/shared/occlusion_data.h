@@ -25,8 +25,10 @@ typedef struct OcclusionParams {
                                         ///< / CDSM_OCCLUSION_ONE; z: level
   uint directionCount, stepCount;
   uint firstCell, lastCell;             ///< those in between are looked at in this launch, the last one not
+  uint buried;                          ///< depth of all cells around one from which on it sees nothing
+  uint padding0, padding1, padding2;
 } OcclusionParams;
-CDSM_SIZE(OcclusionParams, 688);
+CDSM_SIZE(OcclusionParams, 704);
 
 /// Spheres to be put into the grid.
 typedef struct DensityParams {

@@ -236,7 +236,8 @@ class _Filter(VTKPythonAlgorithmBase):
         if not self._bias >= 0:
             raise cdsm.Error(f"Bias is {self._bias}, must be at least 0")
         if self._shadows.transmittance != "grey":
-            raise cdsm.Error(f"transmittance is {self._shadows.transmittance!r}, must be 'grey': one value for each point")
+            raise cdsm.Error(f"transmittance is {self._shadows.transmittance!r}, must be 'grey': one value for each "
+                             "point")
         engine = self._use_engine()
         engine.prepare(self._make_scene(inInfo))
         self._stats = engine.stats

@@ -179,7 +179,7 @@ std::vector<ImageScene> imageScenes() {
     scenes.push_back(someReceive(scenes[seeds.scene], seeds.receive));
     scenes.push_back(someCast(scenes[seeds.scene], seeds.cast));
   }
-  for (const std::size_t scene : {1u, 3u, 5u}) scenes.push_back(inColor(scenes[scene], 2));
+  for (const std::size_t scene : {3u, 5u}) scenes.push_back(inColor(scenes[scene], 2));
   return scenes;
 }
 

@@ -85,7 +85,7 @@ Strategy strategyNamed(const std::string& name) {
 
 MapBuilder::MapBuilder(const Strategy& strategy, const std::string& fetch, const std::string& format)
     : device_(deviceOf(fetch)),
-      memory_(strategy.make(device_, memory::nodeFormat(format))),
+      memory_(strategy.make(device_, memory::nodeFormat(format, "grey"))),
       raster_(device_),
       pass_(device_) {}
 

@@ -77,7 +77,7 @@ std::vector<Compressed> compress(const std::vector<Function>& functions, float t
   const cl::Program& program = testProgram(device, kText,
                                            {{"CDSM_MEMORY", "\"test/memory.clh\""},
                                             {"CDSM_BATCH", "4"},
-                                            memory::nodeFormatDefine(memory::nodeFormat(format))},
+                                            memory::nodeFormatDefine(memory::nodeFormat(format, "grey"))},
                                            {{"test/memory.clh", kMemory}});
   device::Kernel<std::uint32_t, float, std::uint32_t, float2, device::Buffer<float4>, device::Buffer<std::uint32_t>,
                  Nodes, device::Buffer<std::uint32_t>>
@@ -263,7 +263,7 @@ class CompressionToSteps : public ::testing::TestWithParam<std::tuple<std::size_
 TEST_P(CompressionToSteps, staysWithinTheToleranceFallsAndEndsExactly) {
   const auto [number, tolerance, step] = GetParam();
   const Kind kind = kinds()[number];
-  const memory::NodeFormat& format = memory::nodeFormat("unorm16");
+  const memory::NodeFormat& format = memory::nodeFormat("unorm16", "grey");
   const float2 scale{0.5f * float(kind.start), 1.0f / step};
   reference::Random random(std::uint32_t(91 + number));
   std::vector<Function> functions;
@@ -305,7 +305,7 @@ __kernel void throughMemory(uint count, __global const Node* nodes, __global Sto
   reference::Random random(5);
   for (int i = 0; i < 1000; ++i) nodes.push_back({float(random.integer(0, 65535)), float(random.uniform(0.0, 1.0))});
   device::Device& device = deviceOf();
-  const memory::NodeFormat& format = memory::nodeFormat("unorm16");
+  const memory::NodeFormat& format = memory::nodeFormat("unorm16", "grey");
   const Nodes in = Nodes::fromHost(device, nodes, "nodes");
   Nodes out(device, nodes.size(), "nodes read back");
   device::Buffer<std::uint32_t> pool(device, nodes.size() * format.words, "pool");

@@ -88,8 +88,8 @@ CDSM_END CDSM_BEGIN(BvhPrimitive) F(a) F(b) F(c) CDSM_END
 
     CDSM_BEGIN(WallParams) F(first) F(count) F(stride) F(padding) CDSM_END CDSM_BEGIN(OcclusionGrid) F(corner)
         F(size) CDSM_END CDSM_BEGIN(OcclusionParams) F(grid) F(levels) F(steps) F(directionCount) F(stepCount)
-            F(firstCell) F(lastCell) CDSM_END CDSM_BEGIN(DensityParams) F(grid) F(first) F(count) F(slices)
-                F(padding) CDSM_END
+            F(firstCell) F(lastCell) F(buried) F(padding0) F(padding1) F(padding2) CDSM_END CDSM_BEGIN(DensityParams)
+                F(grid) F(first) F(count) F(slices) F(padding) CDSM_END
 
     CDSM_BEGIN(BuildParams) F(view) F(tolerance) F(interiorStep) F(mapIndex) F(padding) CDSM_END CDSM_BEGIN(ShadeParams)
         F(view) F(ambient) F(interiorStep) F(bias) F(lightCount) F(lookupTolerance) F(occlusion) CDSM_END

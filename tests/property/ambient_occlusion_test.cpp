@@ -206,6 +206,16 @@ TEST(AmbientOcclusion, reachesAsFarAsItsDistance) {
   EXPECT_EQ(factor(0.9f, 0.0f), 1.0f);
 }
 
+/// Also deep among spheres that are seen through others.
+TEST(AmbientOcclusion, isNoneWithoutStrength) {
+  Scene scene = whiteScene(clump(500, 7));
+  scene.materials.front().opacity = 0.3f;
+  scene.ambientOcclusion->strength = 0.0f;
+  const Image none = picture(scene);
+  scene.ambientOcclusion.reset();
+  EXPECT_TRUE(sameBytes(none, picture(scene)));
+}
+
 TEST(AmbientOcclusion, hasTheSameBytesAgain) {
   const Scene scene = whiteScene(clump(500, 7));
   const Image first = Engine().render(scene), second = Engine().render(scene);

@@ -84,7 +84,7 @@ TEST_P(NodeFormats, areWithinTheToleranceAtAStepFromTheDepth) {
   for (const float tolerance : {0.0005f, 0.01f, 0.05f}) {
     const auto found =
         query(small("exact", "nearest"), along(small("exact", "nearest"), test_.scene, kMapSize, tolerance), points_);
-    const double bound = double(memory::nodeFormat("unorm16").compressionTolerance(tolerance)) + 1e-5 + kSlack;
+    const double bound = double(memory::nodeFormat("unorm16", "grey").compressionTolerance(tolerance)) + 1e-5 + kSlack;
     int moved = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (found[i].lit != nearer[i].lit || found[i].lit != farther[i].lit) continue;  // at the cone's edge

@@ -81,7 +81,7 @@ void expectExact(const Path& path, const Scene& scene, const Light& light, const
 
 const std::vector<Path> kPaths{rayPath(), mapPath("chunked", "bilinear"), mapPath("atlas", "nearest"),
                                mapPath("exact", "bilinear"), mapPath("tiled", "nearest")};
-const std::vector<Path> kColorPaths{rayPath(), mapPath("exact", "bilinear"), mapPath("chunked", "nearest", 2)};
+const std::vector<Path> kColorPaths{rayPath(), mapPath("exact", "bilinear", 2)};
 const std::vector<Path> kClusterPaths{mapPath("chunked", "bilinear", 8), mapPath("chunked", "nearest", 2)};
 
 class RandomScenes : public ::testing::TestWithParam<std::uint32_t> {};

@@ -27,7 +27,8 @@ std::vector<glm::vec3> somePoints(int count) {
 /// Known to the engines of this program from its start.
 const bool registered = [] {
   technique::addMemoryStrategy("counted", [](auto& settings, auto& device) {
-    return std::make_unique<strategies::Counted>(device, memory::nodeFormat(settings.nodeFormat));
+    return std::make_unique<strategies::Counted>(device,
+                                                 memory::nodeFormat(settings.nodeFormat, settings.transmittance));
   });
   return true;
 }();

@@ -93,7 +93,9 @@ void DeviceScene::clear() {
 
 void DeviceScene::addVolumeMedium(const Scene& scene, const Volume& volume) {
   const glm::mat4 worldFromIndex = scene::worldFromIndex(volume);
-  const TransferTable table = makeTransferTable(volume.transfer);
+  TransferFunction transfer = volume.transfer;
+  if (spectrum().channels == 1) transfer.transmission.clear();
+  const TransferTable table = makeTransferTable(transfer);
   const glm::uvec3 size = volume.data->size, cells = cellCounts(*volume.data);
   shared::MediumData medium{};
   medium.indexFromWorld = affineOf(glm::mat4(glm::inverse(glm::dmat4(worldFromIndex))));

@@ -27,8 +27,7 @@ std::uint32_t bitsOf(float value) {
 }  // namespace
 
 SphereWalls::SphereWalls(device::Device& device)
-    : device_(device),
-      depths_(device, 0, "depths of walls"),
+    : depths_(device, 0, "depths of walls"),
       walls_(device, 0, "walls of tiles"),
       hidden_(device, 0, "hidden spheres"),
       drawWalls_(device, programOf(device), "drawWalls"),

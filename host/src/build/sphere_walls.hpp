@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies in front: per tile of a view the depth behind which opaque spheres hide everything.
+// What lies in front: per tile of a view the depth behind which spheres hide everything.
 #pragma once
 
 #include "build/device_scene.hpp"
@@ -30,7 +30,6 @@ class SphereWalls {
   const Uints& pixels() const { return depths_; }
 
  private:
-  device::Device& device_;
   Uints depths_;
   Floats walls_;
   device::Buffer<std::uint8_t> hidden_;

@@ -135,6 +135,7 @@ void FrameState::prepareTechnique(const Scene& scene, cluster::Purpose purpose, 
 
 void FrameState::prepareOcclusion(const Scene& scene) {
   const device::HostStep traced = step("prepare ambient occlusion");
+  occluded_ = true;
   device_->profiler().beginGroup("ambient occlusion");
   occlusion_.prepare(scene, deviceScene_, [this](const char* step, float done) { progress(step, done); });
 }
@@ -153,7 +154,7 @@ void FrameState::uploadLights(const Scene& scene) {
 void FrameState::beginStats() {
   begun_ = std::chrono::steady_clock::now();
   stats_ = {};
-  prepared_ = false;
+  prepared_ = occluded_ = false;
   device_->profiler().reset();
   device_->profiler().beginGroup("upload");
 }
@@ -176,7 +177,7 @@ void FrameState::addMapStats(const Scene& scene) {
   for (const Light& light : scene.lights) stats_.lights.push_back({light.name, scene::nameOf(light.type), {}});
   technique_->addStats(scene, stats_);
   stats_.cache = cache_.stats();
-  stats_.ambientOcclusion = occlusion_.stats();
+  if (occluded_) stats_.ambientOcclusion = occlusion_.stats();
   if (!prepared_) forgetBuilding();
   if (options_.warning)
     for (const std::string& warning : stats_.warnings) options_.warning(warning);

@@ -120,6 +120,7 @@ class FrameState {
   cluster::Purpose purpose_ = cluster::Purpose::Image;  ///< that its maps serve
   FrameStats stats_;
   bool prepared_ = false;  ///< in this call
+  bool occluded_ = false;  ///< likewise, ambient occlusion
   std::chrono::steady_clock::time_point begun_;
 };
 

@@ -33,6 +33,6 @@ struct NodeFormat {
 std::pair<std::string, std::string> nodeFormatDefine(const NodeFormat& format);
 
 /// `spectrum`: name of that of the transmittances. Throws Error that lists the formats there are.
-const NodeFormat& nodeFormat(const std::string& name, const std::string& spectrum = "grey");
+const NodeFormat& nodeFormat(const std::string& name, const std::string& spectrum);
 
 }  // namespace cdsm::memory

@@ -20,7 +20,7 @@ int tileChunks(const device::Device& device, const Spectrum& spectrum) {
   const std::size_t nodeBytes = (1 + spectrum.channels) * sizeof(float);
   const std::size_t chunkBytes =
       CDSM_CHUNK_NODES * nodeBytes + sizeof(std::uint32_t);  // and the number of the next one
-  // a quarter, so that several groups are in flight; more than 1024 (128 nodes per texel) would leave the caches
+  // a quarter, so that several groups are in flight; more than 1024 (128 nodes per texel) hardly any tile needs
   const std::size_t bytes = std::size_t(device.description().localMemoryBytes) / 4;
   return int(std::clamp<std::size_t>(bytes / chunkBytes, 128, 1024));
 }

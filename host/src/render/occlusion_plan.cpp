@@ -72,6 +72,14 @@ void addSteps(shared::OcclusionParams& params, int directions, double distance, 
   }
 }
 
+/// Depth of the cells around one from which on a seventh of the light at most gets through two of them, which is called
+/// none, if directions reach as far; no cell has as much if they do not.
+shared::uint buriedDepth(double distance, double strength) {
+  const double depth = 1.0 / std::max(strength, 1e-3);  // exp(-2) is left
+  const bool reached = distance >= kStart + 2.0 && depth * double(CDSM_OCCLUSION_ONE) <= double(CDSM_OCCLUSION_MOST);
+  return reached ? shared::uint(depth * double(CDSM_OCCLUSION_ONE)) : ~0u;
+}
+
 /// Unit vectors over the sphere, as even as a spiral makes them.
 std::vector<glm::dvec3> spiral(int count) {
   const double turn = 2.0 * glm::pi<double>() / glm::golden_ratio<double>();
@@ -131,6 +139,7 @@ shared::OcclusionParams planOcclusion(const ::cdsm::AmbientOcclusion& settings, 
   addLevels(params);
   addSteps(params, settings.directions, double(settings.distance) * side / edge, double(settings.strength));
   params.directionCount = shared::uint(settings.directions);
+  params.buried = buriedDepth(double(settings.distance) * side / edge, double(settings.strength));
   return params;
 }
 

@@ -24,7 +24,7 @@ SphereExtent extentOf(const Scene& scene);
 /// factor of the steps along each, so that what they pass over differs.
 std::vector<shared::float4> evenDirections(int count);
 
-/// Grid, levels, steps and directions' sum. `extent` is not empty.
+/// Grid, levels and steps. `extent` is not empty.
 shared::OcclusionParams planOcclusion(const ::cdsm::AmbientOcclusion& settings, const SphereExtent& extent);
 
 /// Cells of all levels.

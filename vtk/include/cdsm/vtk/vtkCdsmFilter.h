@@ -57,6 +57,7 @@ class CDSM_API vtkCdsmFilter : public vtkDataSetAlgorithm {
   vtkGetMacro(SurfaceOpacity, double);
 
   /// Technique, size of maps, tolerance and the like; those below are of them.
+  /// `transmittance` must be "grey", or the filter fails.
   void SetShadows(const cdsm::ShadowSettings& shadows);
   const cdsm::ShadowSettings& GetShadows() const { return this->Shadows; }
   void SetTechnique(const char* technique);
