@@ -76,42 +76,34 @@ py::array_t<float> pointsOf(const py::object& given, py::ssize_t columns, const 
   return points;
 }
 
-using OpacityPoints = std::vector<TransferFunction::OpacityPoint>;
-
-Fields<TransferFunction>& addOpacities(Fields<TransferFunction>& fields, const char* name,
-                                       OpacityPoints TransferFunction::*points, const char* doc) {
-  return fields.property(
-      name,
-      [points](TransferFunction& t) {
-        py::list rows;
-        for (const auto& point : t.*points) rows.append(py::make_tuple(point.value, point.opacity));
-        return py::tuple(rows);
-      },
-      [points, what = "TransferFunction." + std::string(name) + " is"](TransferFunction& t, const py::object& given) {
-        const py::array_t<float> rows = pointsOf(given, 2, what);
-        OpacityPoints list;
-        for (py::ssize_t i = 0; i < rows.shape(0); ++i) list.push_back({rows.at(i, 0), rows.at(i, 1)});
-        t.*points = std::move(list);
-      },
-      doc);
+py::tuple rowOf(const TransferFunction::OpacityPoint& p) { return py::make_tuple(p.value, p.opacity); }
+py::tuple rowOf(const TransferFunction::ColorPoint& p) {
+  return py::make_tuple(p.value, p.color.r, p.color.g, p.color.b);
 }
 
-using ColorPoints = std::vector<TransferFunction::ColorPoint>;
+using Rows = py::array_t<float>;
 
-Fields<TransferFunction>& addColors(Fields<TransferFunction>& fields, const char* name,
-                                    ColorPoints TransferFunction::*points, const char* doc) {
+void takeRow(TransferFunction::OpacityPoint& p, const Rows& rows, py::ssize_t i) { p = {rows.at(i, 0), rows.at(i, 1)}; }
+void takeRow(TransferFunction::ColorPoint& p, const Rows& rows, py::ssize_t i) {
+  p = {rows.at(i, 0), {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}};
+}
+
+/// A list of points as rows of so many numbers.
+template <class Point>
+Fields<TransferFunction>& addPoints(Fields<TransferFunction>& fields, const char* name, py::ssize_t columns,
+                                    std::vector<Point> TransferFunction::*points, const char* doc) {
   return fields.property(
       name,
       [points](TransferFunction& t) {
         py::list rows;
-        for (const auto& p : t.*points) rows.append(py::make_tuple(p.value, p.color.r, p.color.g, p.color.b));
+        for (const Point& point : t.*points) rows.append(rowOf(point));
         return py::tuple(rows);
       },
-      [points, what = "TransferFunction." + std::string(name) + " is"](TransferFunction& t, const py::object& given) {
-        const py::array_t<float> rows = pointsOf(given, 4, what);
-        ColorPoints list;
-        for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-          list.push_back({rows.at(i, 0), {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}});
+      [points, columns, what = "TransferFunction." + std::string(name) + " is"](TransferFunction& t,
+                                                                                const py::object& given) {
+        const Rows rows = pointsOf(given, columns, what);
+        std::vector<Point> list(std::size_t(rows.shape(0)));
+        for (std::size_t i = 0; i < list.size(); ++i) takeRow(list[i], rows, py::ssize_t(i));
         t.*points = std::move(list);
       },
       doc);
@@ -120,11 +112,11 @@ Fields<TransferFunction>& addColors(Fields<TransferFunction>& fields, const char
 void bindTransferFunction(py::module_& module) {
   Fields<TransferFunction> fields(module, "TransferFunction",
                                   "Opacity and colour by value: linear between the points, constant outside.");
-  addOpacities(fields, "opacity", &TransferFunction::opacity, "Rows of (value, opacity per unit_distance).");
-  addOpacities(fields, "shadow_opacity", &TransferFunction::shadowOpacity,
-               "In place of `opacity` where light is attenuated; empty: the same.");
-  addColors(fields, "color", &TransferFunction::color, "Rows of (value, red, green, blue).");
-  addColors(fields, "transmission", &TransferFunction::transmission,
+  addPoints(fields, "opacity", 2, &TransferFunction::opacity, "Rows of (value, opacity per unit_distance).");
+  addPoints(fields, "shadow_opacity", 2, &TransferFunction::shadowOpacity,
+            "In place of `opacity` where light is attenuated; empty: the same.");
+  addPoints(fields, "color", 4, &TransferFunction::color, "Rows of (value, red, green, blue).");
+  addPoints(fields, "transmission", 4, &TransferFunction::transmission,
             "What of the light's colour gets through where the volume interacts: rows of (value, red, green, blue); "
             "empty: nothing.")
       .field("unit_distance", &TransferFunction::unitDistance, "World length for which the opacities hold, above 0.")

@@ -91,6 +91,7 @@ TEST_P(Render, matchesTheReference) {
 TEST(RenderStochastic, matchesTheReferenceInTheMean) {
   constexpr int kSeeds = 4;
   for (const ImageScene& scene : imageScenes()) {
+    if (scene.name.find("Some") != std::string::npos) continue;  // roles are those of other techniques
     Scene settings = property::along({"stochastic", "chunked", "bilinear", "buffer"}, scene.scene, 512, 0.005f);
     settings.shadows.stratified = true;
     settings.shadows.samples = 7;

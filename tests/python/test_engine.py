@@ -39,6 +39,23 @@ class Engine(unittest.TestCase):
             cdsm.Engine(device="no such device")
         self.assertTrue(issubclass(cdsm.DeviceError, cdsm.Error) and issubclass(cdsm.Error, RuntimeError))
 
+    def test_coloured_light_has_three_values(self):
+        self.scene.shadows.transmittance = "rgb"
+        self.scene.volumes[0].transfer.transmission = [(0, 1.0, 0.5, 0.0)]
+        engine = cdsm.Engine()
+        engine.prepare(self.scene)
+        red, green, blue = engine.transmittance("sun", self.points).T
+        np.testing.assert_allclose(red, 1.0, atol=0.002)
+        np.testing.assert_allclose(green, np.sqrt(scenes.expected(self.points)), atol=0.02)
+        np.testing.assert_allclose(blue, scenes.expected(self.points), atol=0.02)
+        with self.assertRaisesRegex(cdsm.Error, "out is of shape"):
+            engine.transmittance("sun", self.points, out=np.empty(len(self.points), np.float32))
+        maps = engine.light_maps(self.scene, "sun")
+        self.assertEqual(maps[0].colors.shape, (len(maps[0].nodes), 3))
+        np.testing.assert_allclose(maps[0].colors.mean(axis=1), maps[0].nodes[:, 1], atol=1e-6)
+        self.scene.shadows.transmittance = "grey"
+        self.usable(engine)
+
     def test_exceptions_of_callbacks_end_the_call(self):
         def failing(step, done):
             if step == wanted:

@@ -7,6 +7,7 @@ host/src/build/volume_slots.cpp does. A file is compiled for each value of what 
 strategy, format of nodes, voxel type, batch size, buffers or images, volumes of a scene; of all their combinations,
 enough for each two values to meet. Prints the warnings; exit status 1 if any."""
 import concurrent.futures
+import functools
 import itertools
 import os
 import pathlib
@@ -70,6 +71,30 @@ def volume_slots(types, images):
     return "\n".join(out) + "\n"
 
 
+@functools.lru_cache(maxsize=None)
+def included_by(path):
+    """What the include lines of a file name: quoted paths and macros."""
+    return re.findall(r'^#include\s+("[^"]+"|CDSM_\w+)', (KERNELS / path).read_text(), re.MULTILINE)
+
+
+@functools.lru_cache(maxsize=None)
+def mentioned_by(path):
+    """Choices that the text of a file mentions."""
+    text = (KERNELS / path).read_text()
+    return {name for name in CHOICES if re.search(rf"\b{re.escape(name)}\b(?!\.)", text)}
+
+
+def reached(path, variant, seen):
+    """Adds the file and all that it includes, as far as it is chosen."""
+    if path in seen:
+        return
+    seen.add(path)
+    for target in included_by(path) if path != SLOTS_FILE else ():
+        quoted = target if target[0] == '"' else variant.get(target)
+        if quoted:
+            reached(quoted.strip('"'), variant, seen)
+
+
 def join(path, variant, seen):
     """The text of a kernel file with its includes, each file once; an include of a name not chosen yet is left out."""
     if path in seen:
@@ -95,11 +120,9 @@ def variants(entry, chosen=None):
     """All assignments of the choices that the joined text of an entry mentions; what it mentions may depend on them."""
     chosen = chosen or {}
     seen = set()
-    text = join(entry, chosen, seen)
-    for path in seen - {SLOTS_FILE}:
-        text += (KERNELS / path).read_text()
-    wanted = [name for name in CHOICES
-              if name not in chosen and (name in seen or re.search(rf"\b{re.escape(name)}\b(?!\.)", text))]
+    reached(entry, chosen, seen)
+    mentioned = set().union(*(mentioned_by(path) for path in seen - {SLOTS_FILE}))
+    wanted = [name for name in CHOICES if name not in chosen and (name in seen or name in mentioned)]
     includes = [name for name in wanted if name in ("CDSM_SPECTRUM", "CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_STOP",
                                                     "CDSM_PRIMITIVE", "CDSM_MEMORY", "CDSM_NODE_FORMAT")]
     if not wanted:
