@@ -27,10 +27,16 @@ cdsm::Volume makeVolume(const std::vector<float>& voxels) {
   return volume;
 }
 
+struct Vertex {
+  float position[3], uv[2];
+};
+const Vertex kFloor[] = {
+    {{-3.0f, -1.2f, -3.0f}, {}}, {{-3.0f, -1.2f, 3.0f}, {}}, {{3.0f, -1.2f, 3.0f}, {}}, {{3.0f, -1.2f, -3.0f}, {}}};
+
 cdsm::Mesh makeFloor() {
   auto data = std::make_shared<cdsm::MeshData>();
-  data->positions = {{-3.0f, -1.2f, -3.0f}, {-3.0f, -1.2f, 3.0f}, {3.0f, -1.2f, 3.0f}, {3.0f, -1.2f, -3.0f}};
-  data->triangles = {{0, 1, 2}, {0, 2, 3}};
+  data->positions = cdsm::Array<glm::vec3>::view(kFloor, 4, sizeof(Vertex));  // stay ours: read where they are
+  data->triangles = {{0, 1, 2}, {0, 2, 3}};                                   // an array of its own
 
   cdsm::Mesh mesh;
   mesh.name = "floor";

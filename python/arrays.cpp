@@ -66,4 +66,13 @@ void checkApart(const py::array& input, const py::array& results, const std::str
     throw Error(what + " memory that is read from as well, must be an array of its own");
 }
 
+std::shared_ptr<const void> ownerOf(const py::array& array) {
+  PyObject* const kept = py::object(array).release().ptr();
+  return {array.data(), [kept](const void*) {
+            if (Py_IsInitialized() == 0) return;
+            const py::gil_scoped_acquire lock;
+            Py_DECREF(kept);
+          }};
+}
+
 }  // namespace cdsm::python

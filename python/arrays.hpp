@@ -3,11 +3,11 @@
 // array with its verb, as messages begin: "points are".
 #pragma once
 
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <cdsm/array.hpp>
 #include <cdsm/error.hpp>
 
 #include "casters.hpp"
@@ -57,20 +57,20 @@ py::array viewOf(const Number* first, const std::vector<py::ssize_t>& shape, std
   return std::move(array);
 }
 
-/// A copy of an array of rows, strided or not: `Row` is made of `columns` of `Number`.
+/// Keeps an array for the engine, which lets go of it on a thread that need not hold the interpreter's lock.
+std::shared_ptr<const void> ownerOf(const py::array& array);
+
+/// Rows of `Number`, of which `Row` is made, where the array has them. Rows may lie apart, numbers of a row may not.
 template <class Row, class Number>
-std::vector<Row> rowsOf(const py::handle& given, int columns, const std::string& what) {
-  const py::array array = arrayOf(given, what);
-  checkType(array, py::dtype::of<Number>(), what);
-  if (columns == 1)
-    checkShape(array, {-1}, what);
-  else
-    checkShape(array, {-1, columns}, what);
+Array<Row> rowsOf(const py::array& array, const std::string& what) {
   static_assert(sizeof(Row) % sizeof(Number) == 0, "rows are numbers side by side");
-  const auto dense = py::array_t<Number, py::array::c_style>::ensure(array);
-  std::vector<Row> rows(std::size_t(dense.shape(0)));
-  if (!rows.empty()) std::memcpy(rows.data(), dense.data(), rows.size() * sizeof(Row));
-  return rows;
+  constexpr auto kColumns = py::ssize_t(sizeof(Row) / sizeof(Number));
+  checkType(array, py::dtype::of<Number>(), what);
+  checkShape(array, kColumns == 1 ? std::vector<py::ssize_t>{-1} : std::vector<py::ssize_t>{-1, kColumns}, what);
+  if (kColumns > 1 && array.shape(0) > 0 && array.strides(1) != py::ssize_t(sizeof(Number)))
+    throw Error(what +
+                " rows whose numbers lie apart, must lie side by side; numpy.ascontiguousarray() makes such a copy");
+  return Array<Row>::view(array.data(), std::size_t(array.shape(0)), array.strides(0), ownerOf(array));
 }
 
 }  // namespace cdsm::python

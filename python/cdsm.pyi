@@ -101,6 +101,7 @@ class Mesh:
     positions: Optional[Floats]
     normals: Optional[Floats]
     triangles: Optional[Indices]
+    revision: int
     material: Optional[Material]
     world_from_object: ArrayLike
     interior_extinction: float
@@ -110,7 +111,7 @@ class Mesh:
     receives: bool
     weight: float
     def __init__(self, *, name: str = ..., positions: Optional[Floats] = ..., normals: Optional[Floats] = ...,
-                 triangles: Optional[Indices] = ..., material: Optional[Material] = ...,
+                 triangles: Optional[Indices] = ..., revision: int = ..., material: Optional[Material] = ...,
                  world_from_object: ArrayLike = ..., interior_extinction: float = ..., interior_color: Vec3 = ...,
                  interior_transmission: Vec3 = ..., casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
 
@@ -119,14 +120,15 @@ class Spheres:
     centers: Optional[Floats]
     radii: Optional[Floats]
     colors: Optional[Floats]
+    revision: int
     material: Optional[Material]
     world_from_object: ArrayLike
     casts: bool
     receives: bool
     weight: float
-    def __init__(self, *, name: str = ..., centers: Optional[Floats] = ..., radii: Floats = ...,
-                 colors: Optional[Floats] = ..., material: Optional[Material] = ..., world_from_object: ArrayLike = ...,
-                 casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
+    def __init__(self, *, name: str = ..., centers: Optional[Floats] = ..., radii: Optional[Floats] = ...,
+                 colors: Optional[Floats] = ..., revision: int = ..., material: Optional[Material] = ...,
+                 world_from_object: ArrayLike = ..., casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
 
 class TransferFunction:
     opacity: ArrayLike

@@ -13,11 +13,15 @@ namespace cdsm::python {
 struct MeshObject {
   Mesh mesh;
   std::shared_ptr<Material> material;  ///< none: the default one
+  /// The arrays that mesh.data shows.
+  py::object positions = py::none(), normals = py::none(), triangles = py::none();
 };
 
 struct SpheresObject {
   Spheres spheres;
   std::shared_ptr<Material> material;  ///< none: the default one
+  /// The arrays that spheres.data shows.
+  py::object centers = py::none(), radii = py::none(), colors = py::none();
 };
 
 struct VolumeObject {

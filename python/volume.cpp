@@ -9,16 +9,6 @@ namespace cdsm::python {
 
 namespace {
 
-/// Keeps an array for the engine, which lets go of it on a thread that need not hold the interpreter's lock.
-std::shared_ptr<const void> ownerOf(const py::array& array) {
-  PyObject* const kept = py::object(array).release().ptr();
-  return {array.data(), [kept](const void*) {
-            if (Py_IsInitialized() == 0) return;
-            const py::gil_scoped_acquire lock;
-            Py_DECREF(kept);
-          }};
-}
-
 VoxelType voxelTypeOf(const py::array& array) {
   const std::pair<py::dtype, VoxelType> types[] = {{py::dtype::of<std::uint8_t>(), VoxelType::UInt8},
                                                    {py::dtype::of<std::int8_t>(), VoxelType::Int8},

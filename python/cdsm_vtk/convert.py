@@ -120,7 +120,7 @@ def volume(image, scalars):
 
 
 def mesh(surface):
-    """Polygons and strips of a vtkPolyData as cdsm.Mesh, copied; None if there is no triangle."""
+    """Polygons and strips of a vtkPolyData as cdsm.Mesh, points in place if they are floats; None without triangles."""
     require(surface, vtkPolyData, "the surface is")
     count = surface.GetNumberOfPoints()
     points = vtk_to_numpy(surface.GetPoints().GetData()) if count else np.zeros((0, 3))
@@ -140,5 +140,5 @@ def mesh(surface):
     if triangles.GetNumberOfPolys() == 0:
         return None
     corners = vtk_to_numpy(triangles.GetPolys().GetConnectivityArray())
-    return cdsm.Mesh(positions=vtk_to_numpy(triangles.GetPoints().GetData()).astype(np.float32),
+    return cdsm.Mesh(positions=vtk_to_numpy(triangles.GetPoints().GetData()).astype(np.float32, copy=False),
                      triangles=corners.reshape(-1, 3).astype(np.uint32))

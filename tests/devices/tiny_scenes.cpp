@@ -79,7 +79,7 @@ Scene spheresScene() {
   scene.shadows.mapSize = kSide;
   reference::addMesh(scene, reference::stackMesh(1, -1.0f, 1.0f, 2.0f),
                      reference::addMaterial(scene, glm::vec3(0.7f), 1.0f));
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < 12; ++i) {
     data.centers.emplace_back(0.15f * float(i) - 0.9f, 0.1f * float(i % 5), 0.2f * float(i % 3) - 0.2f);
     data.radii.push_back(0.01f + 0.04f * float(i % 4));

@@ -49,7 +49,7 @@ Scene crowd(int count) {
   scene.shadows.tolerance = 0.0f;
   reference::Random random(3);
   const auto around = [&](float reach) { return float(random.uniform(-reach, reach)); };
-  MeshData mesh;
+  reference::MeshParts mesh;
   for (int i = 0; i < count; ++i) {
     const glm::vec3 middle(around(0.25f), around(1.0f), around(0.25f));
     const auto first = glm::uint(mesh.positions.size());

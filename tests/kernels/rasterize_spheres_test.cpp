@@ -131,7 +131,7 @@ shared::ViewData slantedView(int width, int height) {
 
 SphereData randomSpheres(int count, std::uint32_t seed, double reach, double least, double greatest) {
   Random random(seed);
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < count; ++i) {
     data.centers.push_back(float(random.uniform(0.0, reach)) * random.direction());
     data.radii.push_back(float(least * std::pow(greatest / least, random.uniform(0.0, 1.0))));
@@ -159,7 +159,7 @@ TEST(RasterizeSpheres, matchRaysInWideViews) {
 TEST(RasterizeSpheres, matchRaysAroundTheEye) {
   for (const float nearDepth : {1e-4f, 0.3f, 2.0f})
     for (const float opacity : {0.5f, 1.0f}) {
-      SphereData data = randomSpheres(60, 5, 3.0, 0.1, 2.5);
+      reference::SphereParts data = reference::partsOf(randomSpheres(60, 5, 3.0, 0.1, 2.5));
       for (glm::vec3& center : data.centers) center.z += 2.5f;
       expectExact(data, opacity, testView(48, 48, 90.0f, nearDepth));
     }
@@ -172,13 +172,14 @@ TEST(RasterizeSpheres, matchParallelRays) {
 
 /// A thousand radii and more from the eye: what is left of squared lengths there would be rounding.
 TEST(RasterizeSpheres, matchRaysFarAway) {
-  SphereData data = randomSpheres(400, 7, 2.0, 0.1, 0.4);
+  reference::SphereParts data = reference::partsOf(randomSpheres(400, 7, 2.0, 0.1, 0.4));
   for (glm::vec3& center : data.centers) center.z -= 500.0f;
   expectExact(data, 0.5f, testView(64, 64, 0.4f));
 }
 
 TEST(RasterizeSpheres, theirRoomIsCounted) {
-  SphereData data = randomSpheres(60000, 8, 0.5, 0.2, 0.3);  // all of them in most pixels
+  reference::SphereParts data =
+      reference::partsOf(randomSpheres(60000, 8, 0.5, 0.2, 0.3));  // all of them in most pixels
   Scene scene = reference::emptyScene();
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
   for (const auto& pixel : rasterize(scene, testView(16, 16, 20.0f))) EXPECT_EQ(pixel.size(), 1u);

@@ -102,7 +102,7 @@ void expectExact(const Layers& layers, const MeshData& mesh, const shared::ViewD
       expectPixel(reference, layers.at(x, y), x, y);
 }
 
-void addTriangle(MeshData& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+void addTriangle(reference::MeshParts& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const auto first = glm::uint(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {a, b, c});
   mesh.triangles.emplace_back(first, first + 1, first + 2);
@@ -116,7 +116,7 @@ glm::vec3 randomPoint(Random& random, double reach) {
 /// Triangles of size about `size` in a cube of half width `reach` around the origin.
 MeshData triangleSoup(int count, std::uint32_t seed, double reach, double size) {
   Random random(seed);
-  MeshData mesh;
+  reference::MeshParts mesh;
   for (int i = 0; i < count; ++i) {
     const glm::vec3 at = randomPoint(random, reach);
     const glm::vec3 a = at + randomPoint(random, size), b = at + randomPoint(random, size),
@@ -154,13 +154,13 @@ TEST_F(Rasterize, trianglesThroughTheNearPlaneMatchRays) {
 }
 
 TEST_F(Rasterize, hugeTrianglesMatchRays) {
-  MeshData mesh = triangleSoup(60, 6, 3.0, 3000.0);
+  reference::MeshParts mesh = reference::partsOf(triangleSoup(60, 6, 3.0, 3000.0));
   addTriangle(mesh, {-1e5f, -1e5f, -1.0f}, {1e5f, -1e5f, -1.0f}, {0.0f, 2e5f, -1.0f});
   expectSoup(mesh, 40, 32);
 }
 
 TEST_F(Rasterize, nothingBehindTheEyeIsSeen) {
-  MeshData mesh = triangleSoup(200, 7, 1.0, 0.5);
+  reference::MeshParts mesh = reference::partsOf(triangleSoup(200, 7, 1.0, 0.5));
   for (glm::vec3& p : mesh.positions) p.z += 4.6f;  // the eye is at z = 3
   const Layers layers = rasterize(pass_, sceneOf(mesh), testView(24, 24));
   for (const auto& pixel : layers.pixels) EXPECT_TRUE(pixel.empty());
@@ -172,7 +172,7 @@ TEST_F(Rasterize, anEmptySceneHasNoFragments) {
 }
 
 TEST_F(Rasterize, trianglesWithoutAreaHaveNoFragments) {
-  MeshData mesh;
+  reference::MeshParts mesh;
   addTriangle(mesh, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   addTriangle(mesh, {-1, 0, 0}, {1, 0, 0}, {0, 0, 0});
   addTriangle(mesh, {0, 0, 0}, {0, 0, 1}, {0, 0, 2});
@@ -183,7 +183,7 @@ TEST_F(Rasterize, trianglesWithoutAreaHaveNoFragments) {
 /// A wavy sheet of many triangles across the whole view, jittered, wider than it.
 MeshData sheet(int side, double half, std::uint32_t seed) {
   Random random(seed);
-  MeshData mesh;
+  reference::MeshParts mesh;
   for (int y = 0; y <= side; ++y)
     for (int x = 0; x <= side; ++x) {
       const double jitter = 0.15 * 2.0 * half / side;  // of the edges; does not fold the sheet
@@ -249,7 +249,7 @@ TEST_F(Rasterize, fiveThousandLayersInAPixelAreSorted) {
 }
 
 TEST_F(Rasterize, fragmentsOfOneDepthAreInTheOrderOfTheirTriangles) {
-  MeshData mesh;
+  reference::MeshParts mesh;
   for (int i = 0; i < 100; ++i) addTriangle(mesh, {-9, -9, 0}, {9, -9, 0}, {0, 9, 0});
   const Layers layers = rasterize(pass_, sceneOf(mesh), testView(8, 8));
   for (const auto& pixel : layers.pixels) {
@@ -270,7 +270,7 @@ TEST_F(Rasterize, twoHundredThousandTrianglesInOneTileMatchRays) {
 
 /// Images of up to 131072 rays a row: the guard band must not cut what can be seen.
 TEST_F(Rasterize, veryWideViewsAreCoveredToTheirEnds) {
-  MeshData mesh;
+  reference::MeshParts mesh;
   addTriangle(mesh, {-1e6f, -1e6f, 0.0f}, {1e6f, -1e6f, 0.0f}, {0.0f, 1e6f, 0.0f});
   Camera camera;
   camera.position = {0.0f, 0.0f, 3.0f};
@@ -281,7 +281,7 @@ TEST_F(Rasterize, veryWideViewsAreCoveredToTheirEnds) {
 
 /// More screen triangles than there is room for: clipping by the near plane makes two of one.
 TEST_F(Rasterize, roomGrowsForClippedTrianglesAndIsReported) {
-  MeshData mesh;
+  reference::MeshParts mesh;
   Random random(9);
   for (int i = 0; i < 600; ++i) {  // one corner behind the eye, two in front: quads
     const float x = float(random.uniform(-1.0, 1.0)), y = float(random.uniform(-1.0, 1.0));
@@ -296,7 +296,7 @@ TEST_F(Rasterize, roomGrowsForClippedTrianglesAndIsReported) {
 }
 
 TEST_F(Rasterize, theSameTrianglesInAnyOrderGiveTheSameDepths) {
-  MeshData mesh = triangleSoup(400, 10, 1.0, 1.0);
+  reference::MeshParts mesh = reference::partsOf(triangleSoup(400, 10, 1.0, 1.0));
   const Layers first = rasterize(pass_, sceneOf(mesh), testView(33, 21));
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());
   const Layers second = rasterize(pass_, sceneOf(mesh), testView(33, 21));

@@ -49,4 +49,10 @@ std::vector<float> answers(Engine& engine, const std::vector<glm::vec3>& points)
   return values;
 }
 
+std::uint64_t uploaded(const FrameStats& stats, const std::string& what) {
+  for (const KernelTime& kernel : stats.kernels)
+    if (kernel.name == "upload " + what) return kernel.bytes;
+  return 0;
+}
+
 }  // namespace cdsm::embedding

@@ -47,6 +47,9 @@ std::vector<float> answers(const Scene& scene, const std::vector<glm::vec3>& poi
 /// By one that has been given a scene.
 std::vector<float> answers(Engine& engine, const std::vector<glm::vec3>& points);
 
+/// Bytes of uploads of that name in the last call.
+std::uint64_t uploaded(const FrameStats& stats, const std::string& what);
+
 /// What was thrown, or nothing.
 template <class Call>
 std::string errorOf(Call&& call) {

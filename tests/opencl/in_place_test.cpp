@@ -19,12 +19,6 @@ bool readsInPlace(const Engine& engine) {
   return device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() && engine.device().fetch == "buffer";
 }
 
-std::uint64_t uploaded(const FrameStats& stats, const std::string& what) {
-  for (const KernelTime& kernel : stats.kernels)
-    if (kernel.name == "upload " + what) return kernel.bytes;
-  return 0;
-}
-
 std::uint64_t totalUploaded(const FrameStats& stats) {
   std::uint64_t sum = 0;
   for (const KernelTime& kernel : stats.kernels)

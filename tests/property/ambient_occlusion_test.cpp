@@ -32,7 +32,7 @@ Scene whiteScene(SphereData data) {
 /// A ball of spheres that overlap a little, as atoms do; none within `hollow` of its middle.
 SphereData clump(int count, std::uint32_t seed, double hollow = 0.0) {
   reference::Random random(seed);
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < count; ++i) {
     const double away = std::cbrt(random.uniform(hollow * hollow * hollow, 1.0));
     data.centers.push_back(float(away) * random.direction());
@@ -109,7 +109,7 @@ TEST(AmbientOcclusion, isNoneOfASphereAlone) {
 
 /// A ball above a floor of small spheres: a point whose normal is `angle` from upwards sees (1 + cos(angle)) / 2.
 TEST(AmbientOcclusion, aboveAFloorIsHalfOfOnePlusTheCosine) {
-  SphereData data{{{0.0f, 0.4f, 0.0f}}, {0.4f}, {}};
+  reference::SphereParts data{{{0.0f, 0.4f, 0.0f}}, {0.4f}, {}};
   for (int i = -40; i <= 40; ++i)
     for (int k = -40; k <= 40; ++k)
       for (const float below : {0.05f, 0.1f}) {
@@ -131,7 +131,7 @@ TEST(AmbientOcclusion, aboveAFloorIsHalfOfOnePlusTheCosine) {
 }
 
 TEST(AmbientOcclusion, leavesNothingInsideOfAClump) {
-  SphereData data = clump(6000, 8, 0.25);
+  reference::SphereParts data = reference::partsOf(clump(6000, 8, 0.25));
   for (float& radius : data.radii) radius *= 1.6f;  // without gaps
   Scene scene = whiteScene(std::move(data));
   scene.camera.position = {0.0f, 0.02f, 0.0f};
@@ -140,7 +140,7 @@ TEST(AmbientOcclusion, leavesNothingInsideOfAClump) {
 }
 
 TEST(AmbientOcclusion, isLikeTheMirrorOfItsMirrorImage) {
-  SphereData data = clump(400, 5);
+  reference::SphereParts data = reference::partsOf(clump(400, 5));
   Scene scene = whiteScene(data);
   const Image image = picture(scene);
   for (glm::vec3& center : data.centers) center.x = -center.x;
@@ -160,7 +160,7 @@ TEST(AmbientOcclusion, isLikeTheMirrorOfItsMirrorImage) {
 
 /// Two spheres far out keep the box as it is.
 TEST(AmbientOcclusion, growsWithTheSpheres) {
-  SphereData data{{{0.0f, 0.0f, 0.0f}, {-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, {1.0f, 0.5f, 0.5f}, {}};
+  reference::SphereParts data{{{0.0f, 0.0f, 0.0f}, {-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, {1.0f, 0.5f, 0.5f}, {}};
   Scene scene = whiteScene(data);
   scene.ambientOcclusion->resolution = 96;
   const Image alone = picture(scene);
@@ -186,7 +186,7 @@ TEST(AmbientOcclusion, growsWithTheSpheres) {
 }
 
 TEST(AmbientOcclusion, reachesAsFarAsItsDistance) {
-  SphereData data{{{0.0f, 0.0f, 0.0f}}, {0.2f}, {}};
+  reference::SphereParts data{{{0.0f, 0.0f, 0.0f}}, {0.2f}, {}};
   for (int i = 0; i < 200; ++i) {  // a wall in front of it
     data.centers.emplace_back(0.2f * float(i % 20) - 1.9f, 0.4f * float(int(i / 20)) - 1.8f, 2.0f);
     data.radii.push_back(0.25f);

@@ -214,7 +214,7 @@ TEST(ColorNodes, areNotThereInGrey) {
 /// Dense ones, which would hide all behind them if they were opaque to light, above a layer of small ones. Means over
 /// points, as rays of texels and of points pass the edges of spheres otherwise.
 TEST(ColorSpheres, letLightThroughToThoseBehind) {
-  SphereData dense, small;
+  reference::SphereParts dense, small;
   for (int i = 0; i < 4900; ++i) {
     dense.centers.emplace_back(float(i % 70) / 24.0f - 1.45f, 0.5f, float(i / 70) / 24.0f - 1.45f);
     dense.radii.push_back(0.06f);

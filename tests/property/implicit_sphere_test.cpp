@@ -90,7 +90,7 @@ class ImplicitSphere : public ::testing::TestWithParam<LightType> {};
 /// A packing like that of molecules.
 TEST_P(ImplicitSphere, answersAsEverySphereWould) {
   reference::Random random(11);
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < 3000; ++i) {
     data.centers.push_back(static_cast<float>(std::cbrt(random.uniform(0.0, 1.0))) * random.direction());
     data.radii.push_back(float(random.uniform(0.03, 0.06)));
@@ -135,7 +135,7 @@ TEST_P(ImplicitSphere, hasThePenumbraOfTheFormula) {
 
 /// Each a third of a texel wide or less, two texels apart or more: all of them cast a shadow.
 TEST_P(ImplicitSphere, losesNoSphereThatIsSmallerThanATexel) {
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < 20; ++i)
     for (int k = 0; k < 20; ++k) {
       data.centers.emplace_back(0.08f * float(i) - 0.8f, 0.003f * float(i * k % 17), 0.08f * float(k) - 0.8f);
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Lights, ImplicitSphere, ::testing::ValuesIn(kTypes));
 /// What is drawn: nothing shadows itself, and neither do neighbours that are met at the edge of a texel.
 TEST(ImplicitSphereImage, isThatOfShadowRays) {
   reference::Random random(4);
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < 200; ++i) {
     data.centers.push_back(static_cast<float>(random.uniform(0.0, 1.0)) * random.direction());
     data.radii.push_back(float(random.uniform(0.05, 0.25)));

@@ -102,7 +102,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count, Random& random) {
 }
 
 Mesh shuffledTriangles(const Mesh& mesh, Random& random) {
-  MeshData data = *mesh.data;
+  reference::MeshParts data = reference::partsOf(*mesh.data);
   const std::vector<std::uint32_t> order = shuffled(data.triangles.size(), random);
   for (std::size_t i = 0; i < order.size(); ++i) data.triangles[i] = mesh.data->triangles[order[i]];
   Mesh result = mesh;

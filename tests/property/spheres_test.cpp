@@ -59,7 +59,7 @@ class SphereForms : public ::testing::TestWithParam<std::size_t> {
 TEST_P(SphereForms, aRowOfSpheresLetsItsPowersPass) {
   for (const float opacity : {0.3f, 0.75f, 1.0f}) {
     Scene scene = reference::emptyScene();
-    SphereData row;
+    reference::SphereParts row;
     for (int i = 0; i < 5; ++i) {
       row.centers.emplace_back(0.0f, 2.0f - 0.8f * float(i), 0.0f);
       row.radii.push_back(0.2f + 0.03f * float(i));
@@ -91,7 +91,7 @@ TEST_P(SphereForms, theShadowOfASphereIsACircle) {
     const glm::mat4 pose = glm::mat4(glm::dmat4(double(scale)));
     glm::mat4 similarity = pose;
     similarity[3] = {0.0f, 0.0f, 0.0f, 1.0f};
-    SphereData data{{{0.0f, float(height - 1.0) / scale, 0.0f}}, {float(radius) / scale}, {}};
+    reference::SphereParts data{{{0.0f, float(height - 1.0) / scale, 0.0f}}, {float(radius) / scale}, {}};
     reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 1.0f), similarity);
     const double circle = 5.0 * tangent, texel = LightFrame(scene, scene.lights.front(), kMapSize).texelAt(5.0);
     const double margin = path_.technique == "shadow-rays" ? 1e-4 : 1.5 * texel;
@@ -110,7 +110,7 @@ TEST_P(SphereForms, aLightInsideShinesThroughOneSide) {
   Scene scene = reference::emptyScene();
   scene.lights.front().type = LightType::Omni;
   scene.lights.front().position = {0.1f, 0.2f, -0.1f};
-  SphereData data{{glm::vec3(0.0f)}, {1.0f}, {}};
+  reference::SphereParts data{{glm::vec3(0.0f)}, {1.0f}, {}};
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 0.4f));
   reference::Random random(5);
   std::vector<glm::vec3> points;
@@ -122,7 +122,7 @@ TEST_P(SphereForms, aLightInsideShinesThroughOneSide) {
 
 TEST_P(SphereForms, thatCastNoShadowLetAllPass) {
   Scene scene = reference::emptyScene();
-  SphereData data{{glm::vec3(0.0f), {1.0f, 0.0f, 0.0f}}, {0.5f, 0.4f}, {}};
+  reference::SphereParts data{{glm::vec3(0.0f), {1.0f, 0.0f, 0.0f}}, {0.5f, 0.4f}, {}};
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 1.0f));
   scene.spheres.front().shadow.casts = false;
   EXPECT_EQ(ask(path_, scene, {{0.0f, -1.0f, 0.0f}}).front().transmittance, 1.0f);
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(All, SphereForms, ::testing::Range<std::size_t>(0, sphe
 /// A million spheres are spheres like others: through the gaps of a lattice all light passes, through a sphere none.
 TEST(Spheres, aMillionOfThemInALattice) {
   constexpr int kSide = 100;
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
     const glm::vec3 place(i % kSide, i / kSide % kSide, i / (kSide * kSide));
     data.centers.push_back((place + 0.5f) / float(kSide) * 2.0f - 1.0f);
@@ -173,7 +173,7 @@ std::vector<std::string> reasonsOf(const Scene& scene) {
 TEST(Spheres, areInNewMapsWhenTheirShadowsChange) {
   const std::vector<std::string> kept{""}, moved{"object spheres0"};
   Scene scene = along(mapPath(), reference::emptyScene(), 64, 0.01f);
-  SphereData data{{glm::vec3(0.0f), {1.0f, 0.0f, 0.0f}}, {0.5f, 0.4f}, {}};
+  reference::SphereParts data{{glm::vec3(0.0f), {1.0f, 0.0f, 0.0f}}, {0.5f, 0.4f}, {}};
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 0.5f));
   reasonsOf(scene);
   EXPECT_EQ(reasonsOf(scene), kept);
@@ -204,7 +204,7 @@ TEST(Spheres, areUploadedOnce) {
   };
   Scene scene = along(mapPath(), reference::emptyScene(), 64, 0.01f);
   scene.image.width = scene.image.height = 16;
-  SphereData data{{glm::vec3(0.0f)}, {0.5f}, {}};
+  reference::SphereParts data{{glm::vec3(0.0f)}, {0.5f}, {}};
   reference::addSpheres(scene, data, reference::addMaterial(scene, glm::vec3(0.5f), 0.5f));
   EXPECT_EQ(uploads(scene), 1u);
   scene.spheres.front().worldFromObject[3].x = 0.3f;

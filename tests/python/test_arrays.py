@@ -131,6 +131,48 @@ class Arrays(unittest.TestCase):
         np.testing.assert_allclose(thin, scenes.expected(self.points, 0.25), atol=0.02)
         self.assertEqual(self.engine.stats["copied_bytes"], 0)
 
+    def test_meshes_and_spheres_stay_in_place(self):
+        for technique in "deep-shadow-map", "shadow-rays":
+            scene = scenes.scene(technique=technique)
+            vertices = np.zeros(3, [("id", np.uint8), ("position", np.float32, 3)])  # unaligned, at a stride
+            vertices["position"] = [[-2, 1.2, -2], [2, 1.2, -2], [0, 1.2, 4]]
+            triangles = np.array([[0, 1, 2]], np.uint32)
+            leaf = cdsm.Mesh(positions=vertices["position"], triangles=triangles,
+                             material=cdsm.Material(opacity=0.5))
+            centers = np.array([[0, 2.2, 0], [4, 0, 0]], np.float32)
+            balls = cdsm.Spheres(centers=centers[::-1], radii=np.broadcast_to(np.float32(0.6), 2))
+            scene.meshes.append(leaf)
+            scene.spheres.append(balls)
+            self.assertIs(leaf.triangles, triangles)
+            wanted = scenes.expected(self.points) * np.where(self.points[:, 1] < 1.2, 0.5, 1)
+            self.assertEqual(self.transmittance(scene).max(), 0)
+            centers[0, 0] = 3  # out of the way
+            balls.revision += 1
+            np.testing.assert_allclose(self.transmittance(scene), wanted, atol=0.02)
+            vertices["position"][:, 1] = -1.05
+            leaf.revision += 1
+            wanted = scenes.expected(self.points) * np.where(self.points[:, 1] < -1.05, 0.5, 1)
+            np.testing.assert_allclose(self.transmittance(scene), wanted, atol=0.02)
+
+    def test_wrong_arrays_of_meshes_and_spheres_are_refused(self):
+        positions = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
+        mesh = cdsm.Mesh(positions=positions, triangles=np.array([[0, 1, 2]], np.uint32))
+        self.refused("positions are float64, must be float32", setattr, mesh, "positions", np.zeros((3, 3)))
+        self.refused("triangles are int64, must be uint32", setattr, mesh, "triangles", np.zeros((1, 3), np.int64))
+        self.refused("normals are of shape (3,), must be of shape (n, 3)", setattr, mesh, "normals", positions[0])
+        self.refused("positions are rows whose numbers lie apart, must lie side by side; numpy.ascontiguousarray()",
+                     setattr, mesh, "positions", np.asfortranarray(positions))
+        self.refused("radii are of shape (3, 3), must be of shape (n,)", cdsm.Spheres, radii=positions)
+        self.refused("centers are of type list", cdsm.Spheres, centers=[[0, 0, 0]])
+        self.assertIs(mesh.positions, positions)
+        self.scene.meshes.append(mesh)
+        self.engine.prepare(self.scene)
+        positions[1, 2] = np.nan
+        mesh.revision += 1
+        self.refused("position 1 is not finite", self.engine.prepare, self.scene)
+        mesh.positions = None
+        self.refused("must be below the number of positions, 0", self.engine.prepare, self.scene)
+
     def test_arrays_live_as_long_as_they_are_needed(self):
         class Watched(np.ndarray):
             pass
@@ -146,24 +188,6 @@ class Arrays(unittest.TestCase):
         self.engine.drop()
         gc.collect()
         self.assertIsNone(watch(), "nobody has it any more")
-
-    def test_mesh_arrays_are_copied_and_seen(self):
-        positions = np.array([[-9, 0, -9], [-9, 0, 9], [9, 0, 9], [9, 0, -9]], np.float32)
-        mesh = cdsm.Mesh(name="lid", positions=positions, triangles=np.array([[0, 1, 2], [0, 2, 3]], np.uint32))
-        positions[:] = np.nan
-        seen = mesh.positions
-        self.assertFalse(seen.flags.writeable)
-        scene = scenes.scene()
-        scene.meshes.append(mesh)
-        self.assertEqual(self.transmittance(scene)[-1], 0)
-        scene.meshes.clear()
-        del mesh
-        gc.collect()
-        self.assertEqual(seen[0, 0], -9)
-        self.refused("positions are float64", cdsm.Mesh, positions=np.zeros((3, 3)))
-        self.refused("triangles are int64, must be uint32", cdsm.Mesh, triangles=np.zeros((1, 3), int))
-        self.refused("radii are of shape (2, 1), must be of shape (n,)", cdsm.Spheres,
-                     radii=np.ones((2, 1), np.float32))
 
     def test_light_maps_outlive_the_engine(self):
         engine = cdsm.Engine()

@@ -44,7 +44,7 @@ Basis basisAround(const glm::dvec3& direction) {
 
 Ray rayTowards(const glm::dvec3& from, const glm::dvec3& to) { return {from, glm::normalize(to - from)}; }
 
-Surface::Surface(const Mesh& mesh) : triangles_(mesh.data->triangles) {
+Surface::Surface(const Mesh& mesh) : triangles_(mesh.data->triangles.begin(), mesh.data->triangles.end()) {
   const glm::dmat4 worldFromObject(mesh.worldFromObject);
   const glm::dmat3 normalFromObject = glm::transpose(glm::inverse(glm::dmat3(worldFromObject)));
   for (const glm::vec3& p : mesh.data->positions) {

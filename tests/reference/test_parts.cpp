@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-void addQuad(MeshData& mesh, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v) {
+void addQuad(MeshParts& mesh, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v) {
   const auto first = static_cast<glm::uint>(mesh.positions.size());
   for (const glm::vec3& p : {center - u - v, center + u - v, center + u + v, center - u + v}) {
     mesh.positions.push_back(p);
@@ -60,7 +60,7 @@ double smoothStep(double f) { return f * f * (3.0 - 2.0 * f); }
 }  // namespace
 
 MeshData boxMesh(const glm::vec3& low, const glm::vec3& high) {
-  MeshData mesh;
+  MeshParts mesh;
   for (int corner = 0; corner < 8; ++corner) {
     mesh.positions.emplace_back(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
   }
@@ -73,13 +73,13 @@ MeshData boxMesh(const glm::vec3& low, const glm::vec3& high) {
 }
 
 MeshData quadMesh(const glm::vec3& center, const glm::vec3& halfU, const glm::vec3& halfV) {
-  MeshData mesh;
+  MeshParts mesh;
   addQuad(mesh, center, halfU, halfV);
   return mesh;
 }
 
 MeshData sphereMesh(float radius, int slices, int stacks, bool smooth) {
-  MeshData mesh;
+  MeshParts mesh;
   mesh.positions.emplace_back(0.0f, radius, 0.0f);
   for (int stack = 1; stack < stacks; ++stack) {
     for (int slice = 0; slice < slices; ++slice) {
@@ -109,7 +109,7 @@ MeshData sphereMesh(float radius, int slices, int stacks, bool smooth) {
 }
 
 MeshData stackMesh(int count, float top, float spacing, float half) {
-  MeshData mesh;
+  MeshParts mesh;
   for (int i = 0; i < count; ++i) {
     addQuad(mesh, {0.0f, top - spacing * static_cast<float>(i), 0.0f}, {half, 0.0f, 0.0f}, {0.0f, 0.0f, half});
   }

@@ -218,7 +218,7 @@ void giveRandomTransmissions(Scene& scene, std::uint32_t seed) {
 void addRandomSpheres(Scene& scene, std::uint32_t seed) {
   Random random(seed + 4000u);
   for (const bool opaque : {true, false}) {
-    SphereData data;
+    SphereParts data;
     const int count = random.integer(3, 12);
     for (int i = 0; i < count; ++i) {
       data.centers.push_back(static_cast<float>(random.uniform(0.3, 1.2)) * random.direction());

@@ -12,6 +12,8 @@
 
 #include <cdsm/scene.hpp>
 
+#include "parts.hpp"
+
 namespace cdsm::reference {
 
 /// Random numbers that are the same with every standard library.

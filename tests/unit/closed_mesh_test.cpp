@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "reference/parts.hpp"
 #include "scene/closed_mesh.hpp"
 
 namespace cdsm::scene {
@@ -11,7 +12,7 @@ namespace {
 
 /// A tetrahedron with a corner at the origin and one at 1 along each axis; triangles counter-clockwise from outside.
 MeshData tetrahedron() {
-  MeshData mesh;
+  reference::MeshParts mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   return mesh;
@@ -19,7 +20,7 @@ MeshData tetrahedron() {
 
 /// The same triangles, each with three vertices of its own.
 MeshData unjoined(const MeshData& mesh) {
-  MeshData apart;
+  reference::MeshParts apart;
   for (const glm::uvec3& triangle : mesh.triangles) {
     const unsigned first = static_cast<unsigned>(apart.positions.size());
     for (int corner = 0; corner < 3; ++corner) apart.positions.push_back(mesh.positions[triangle[corner]]);
@@ -36,32 +37,32 @@ TEST(OpenEdges, AClosedMeshHasNone) { EXPECT_EQ(openEdges(tetrahedron()), 0u); }
 TEST(OpenEdges, EqualPositionsAreJoined) { EXPECT_EQ(openEdges(unjoined(tetrahedron())), 0u); }
 
 TEST(OpenEdges, MinusZeroIsZero) {
-  MeshData mesh = unjoined(tetrahedron());
+  reference::MeshParts mesh = reference::partsOf(unjoined(tetrahedron()));
   mesh.positions[0] = {-0.0f, 0.0f, -0.0f};
   EXPECT_EQ(openEdges(mesh), 0u);
 }
 
 TEST(OpenEdges, AMissingTriangleLeavesThree) {
-  MeshData mesh = tetrahedron();
+  reference::MeshParts mesh = reference::partsOf(tetrahedron());
   mesh.triangles.pop_back();
   EXPECT_EQ(openEdges(mesh), 3u);
 }
 
 TEST(OpenEdges, ATriangleTheWrongWayRoundCountsTwicePerEdge) {
-  MeshData mesh = tetrahedron();
+  reference::MeshParts mesh = reference::partsOf(tetrahedron());
   std::swap(mesh.triangles[0].x, mesh.triangles[0].y);
   EXPECT_EQ(openEdges(mesh), 6u);
 }
 
 TEST(OpenEdges, TrianglesWithoutAreaDoNotMatter) {
-  MeshData mesh = tetrahedron();
+  reference::MeshParts mesh = reference::partsOf(tetrahedron());
   mesh.triangles.push_back({0, 0, 0});
   mesh.triangles.push_back({1, 1, 2});
   EXPECT_EQ(openEdges(mesh), 0u);
 }
 
 TEST(OpenEdges, TwoBodiesThatShareAnEdgeAreClosed) {
-  MeshData mesh = tetrahedron();
+  reference::MeshParts mesh = reference::partsOf(tetrahedron());
   const glm::mat4 halfTurn = glm::rotate(kIdentity, glm::radians(180.0f), {0, 0, 1});
   for (const glm::vec3& p : tetrahedron().positions) {
     // turned about z the edge from the origin to (0, 0, 1) stays; rounded, so that its ends are exactly equal
@@ -89,7 +90,7 @@ TEST(WindingNumber, FollowsTheTransform) {
 }
 
 TEST(WindingNumber, OfOneTriangleIsItsShareOfTheSphere) {
-  MeshData mesh;
+  reference::MeshParts mesh;
   mesh.positions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 1, 2}};
   EXPECT_NEAR(windingNumber(mesh, kIdentity, glm::dvec3(0.0)), 1.0 / 8.0, 1e-12);  // one octant

@@ -81,7 +81,7 @@ TEST(ClusterPlan, WhatHangsBelowTheEdgeIsSeen) {
 /// The lid must be whole: not a floor with a hole.
 TEST(ClusterPlan, FloorsWithHolesHideNothing) {
   Scene scene = floorScene();
-  MeshData ring;
+  reference::MeshParts ring;
   for (const float half : {3.0f, 1.0f})
     for (const glm::vec2& corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
       ring.positions.emplace_back(half * corner.x, 0.0f, half * corner.y);
@@ -179,6 +179,36 @@ TEST(ClusterPlan, HasEachObjectOnceInAscendingOrder) {
       EXPECT_TRUE(std::isfinite(errorOf(plan, plan.clusters)));
       EXPECT_TRUE(std::isinf(errorOf(plan, {{0, 1}})));
     }
+}
+
+/// Arrays that somebody else writes to: what is known of their shapes is of one revision.
+TEST(KnownShapes, AreThoseOfTheRevision) {
+  reference::MeshParts mesh = reference::partsOf(reference::boxMesh(glm::vec3(-1.0f), glm::vec3(1.0f)));
+  std::vector<glm::vec3> centers{{0, 0, 0}};
+  Scene scene = reference::emptyScene();
+  const int material = reference::addMaterial(scene, glm::vec3(1), 1.0f);
+  reference::addMesh(scene, mesh, material);
+  reference::addSpheres(scene, {Array<glm::vec3>::view(centers.data(), 1), {1.0f}, {}}, material);
+  auto data = std::make_shared<MeshData>(mesh);
+  data->positions = Array<glm::vec3>::view(mesh.positions.data(), mesh.positions.size());
+  scene.meshes[0].data = data;
+  KnownShapes shapes;
+  const auto reach = [&](unsigned object) { return objectShapes(scene, shapes)[object].corners[7].x; };
+  EXPECT_EQ(reach(0), 1.0);
+  EXPECT_EQ(reach(1), 1.0);
+  for (glm::vec3& p : mesh.positions) p.x *= 3.0f;
+  centers[0].x = 4.0f;
+  ++scene.meshes[0].revision;
+  ++scene.spheres[0].revision;
+  EXPECT_EQ(reach(0), 3.0);
+  EXPECT_EQ(reach(1), 5.0);
+  scene.meshes[0].revision = 0;
+  shapes.keepOnly(scene);
+  EXPECT_EQ(reach(0), 1.0) << "still known";
+  ++scene.meshes[0].revision;
+  shapes.keepOnly(scene);
+  scene.meshes[0].revision = 0;
+  EXPECT_EQ(reach(0), 3.0) << "forgotten";
 }
 
 }  // namespace

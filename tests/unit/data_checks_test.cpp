@@ -34,7 +34,7 @@ TEST(DataChecks, LooksAtValidDataOnce) {
   checks.requireValid(mesh, "mesh");
   checks.requireValid(volume, "volume");
   EXPECT_EQ(checks.openEdges(mesh), 3u);
-  mesh->triangles.clear();
+  mesh->triangles = {};
   volume->voxels.clear();
   EXPECT_NO_THROW(checks.requireValid(mesh, "mesh"));
   EXPECT_NO_THROW(checks.requireValid(volume, "volume"));
@@ -44,7 +44,7 @@ TEST(DataChecks, LooksAtValidDataOnce) {
 TEST(DataChecks, LooksAtWrongDataAgain) {
   DataChecks checks;
   const auto mesh = triangle();
-  mesh->triangles.clear();
+  mesh->triangles = {};
   EXPECT_THROW(checks.requireValid(mesh, "mesh"), Error);
   EXPECT_THROW(checks.requireValid(mesh, "mesh"), Error);
 }
@@ -62,7 +62,7 @@ TEST(DataChecks, ForgetsDataWhoseOwnerIsGone) {
   const auto mesh = triangle();
   // pointers with owners of their own, as if a new mesh had got the address of an old one
   checks.requireValid(std::shared_ptr<const MeshData>(std::make_shared<int>(), mesh.get()), "mesh");
-  mesh->triangles.clear();
+  mesh->triangles = {};
   EXPECT_THROW(checks.requireValid(std::shared_ptr<const MeshData>(std::make_shared<int>(), mesh.get()), "mesh"),
                Error);
 }
@@ -73,7 +73,7 @@ TEST(DataChecks, RemembersNothingOfDataWithoutAnOwner) {
   const std::shared_ptr<const MeshData> bare(std::shared_ptr<void>(), mesh.get());
   checks.requireValid(bare, "mesh");
   EXPECT_EQ(checks.openEdges(bare), 3u);
-  mesh->triangles.clear();
+  mesh->triangles = {};
   EXPECT_THROW(checks.requireValid(bare, "mesh"), Error);
 }
 

@@ -125,7 +125,7 @@ TEST(Focus, BodiesAroundSpheresHoldThem) {
   Random random(9);
   for (int i = 0; i < 60; ++i) {
     Scene scene = reference::emptyScene();
-    SphereData data;
+    reference::SphereParts data;
     for (int k = 0; k <= i; ++k) {
       data.centers.push_back(float(random.uniform(0.0, 2.0)) * random.direction());
       data.radii.push_back(float(random.uniform(0.01, 0.5)));

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "io/sphere_look.hpp"
+#include "reference/parts.hpp"
 #include "unit/io_test_files.hpp"
 
 namespace {
@@ -173,7 +174,7 @@ float linear(int byte) { return std::pow((float(byte) / 255.0f + 0.055f) / 1.055
 
 TEST_F(MoleculeFile, AtomsHaveTheRadiiAndColoursOfTheirElements) {
   const auto spheres = io::makeSpheres(read("m.pdb", pdb()), {});
-  EXPECT_EQ(spheres->radii, (std::vector<float>{1.55f, 1.7f, 2.31f, 1.52f}));
+  EXPECT_EQ(reference::valuesOf(spheres->radii), (std::vector<float>{1.55f, 1.7f, 2.31f, 1.52f}));
   ASSERT_EQ(spheres->colors.size(), 4u);
   const glm::vec3 expected[] = {{linear(48), linear(80), linear(248)}, glm::vec3(linear(144))};
   for (int i = 0; i < 2; ++i)
@@ -186,8 +187,8 @@ TEST_F(MoleculeFile, AtomsHaveTheRadiiAndColoursOfTheirElements) {
 TEST_F(MoleculeFile, TheSceneMayChooseRadiusColourAndWater) {
   const io::Molecule molecule = read("m.pdb", pdb());
   const auto spheres = io::makeSpheres(molecule, {0.5f, glm::vec3(1, 0, 0), false});
-  EXPECT_EQ(spheres->radii, std::vector<float>(3, 0.5f));
-  EXPECT_EQ(spheres->colors, std::vector<glm::vec3>(3, {1, 0, 0}));
+  EXPECT_EQ(reference::valuesOf(spheres->radii), std::vector<float>(3, 0.5f));
+  EXPECT_EQ(reference::valuesOf(spheres->colors), std::vector<glm::vec3>(3, {1, 0, 0}));
   const std::string water = record("HETATM", 6, " O  ", ' ', "HOH", 3, 0, 0, 9, " O");
   EXPECT_THROW(io::makeSpheres(read("w.pdb", water), {0.0f, {}, false}), Error);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/scene_file.hpp"
+#include "reference/parts.hpp"
 #include "unit/io_test_files.hpp"
 
 namespace {
@@ -31,7 +32,7 @@ class SceneSpheres : public testing::Test {
 TEST_F(SceneSpheres, HaveTheirElementsLooksAtFirst) {
   const Spheres spheres = read("");
   EXPECT_EQ(spheres.name, "s");
-  EXPECT_EQ(spheres.data->radii, (std::vector<float>{1.55f, 1.7f}));
+  EXPECT_EQ(reference::valuesOf(spheres.data->radii), (std::vector<float>{1.55f, 1.7f}));
   EXPECT_EQ(spheres.data->colors.size(), 2u);
   EXPECT_EQ(spheres.worldFromObject, glm::mat4(1.0f));
   EXPECT_TRUE(spheres.shadow.casts && spheres.shadow.receives);

@@ -11,6 +11,7 @@
 #include <cdsm/error.hpp>
 #include <cdsm/scene.hpp>
 
+#include "reference/parts.hpp"
 #include "scene/transform.hpp"
 
 namespace cdsm {
@@ -20,14 +21,14 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 MeshData tetrahedron() {
-  MeshData mesh;
+  reference::MeshParts mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   return mesh;
 }
 
 MeshData openMesh() {
-  MeshData mesh = tetrahedron();
+  reference::MeshParts mesh = reference::partsOf(tetrahedron());
   mesh.triangles.pop_back();
   return mesh;
 }
@@ -189,9 +190,9 @@ TEST(Validate, ShadowRoles) {
 }
 
 TEST(Validate, Spheres) {
-  const auto with = [](const std::function<void(Spheres&, SphereData&)>& change) {
+  const auto with = [](const std::function<void(Spheres&, reference::SphereParts&)>& change) {
     return [change](Scene& s) {
-      SphereData data{{{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.2f}, {}};
+      reference::SphereParts data{{{0, 0, 0}, {1, 0, 0}}, {0.5f, 0.2f}, {}};
       Spheres spheres;
       spheres.name = "atoms";
       change(spheres, data);
@@ -201,45 +202,46 @@ TEST(Validate, Spheres) {
   };
   expectComplaints({
       {"spheres 'atoms' have no data", [](Scene& s) { s.spheres.resize(1), s.spheres[0].name = "atoms"; }},
-      {"spheres 'atoms' has no spheres", with([](Spheres&, SphereData& d) { d = {}; })},
-      {"has 1 radii for 2 centres", with([](Spheres&, SphereData& d) { d.radii.pop_back(); })},
-      {"has 1 colours for 2 centres", with([](Spheres&, SphereData& d) { d.colors.resize(1); })},
-      {"radius 1 is 0, must be above 0", with([](Spheres&, SphereData& d) { d.radii[1] = 0.0f; })},
-      {"radius 0 is nan", with([](Spheres&, SphereData& d) { d.radii[0] = kNan; })},
-      {"radius 0 is inf", with([](Spheres&, SphereData& d) { d.radii[0] = kInfinity; })},
-      {"centre 1 is not finite", with([](Spheres&, SphereData& d) { d.centers[1].y = kInfinity; })},
-      {"colour 1 is -1", with([](Spheres&, SphereData& d) {
+      {"spheres 'atoms' has no spheres", with([](Spheres&, reference::SphereParts& d) { d = {}; })},
+      {"has 1 radii for 2 centres", with([](Spheres&, reference::SphereParts& d) { d.radii.pop_back(); })},
+      {"has 1 colours for 2 centres", with([](Spheres&, reference::SphereParts& d) { d.colors.resize(1); })},
+      {"radius 1 is 0, must be above 0", with([](Spheres&, reference::SphereParts& d) { d.radii[1] = 0.0f; })},
+      {"radius 0 is nan", with([](Spheres&, reference::SphereParts& d) { d.radii[0] = kNan; })},
+      {"radius 0 is inf", with([](Spheres&, reference::SphereParts& d) { d.radii[0] = kInfinity; })},
+      {"centre 1 is not finite", with([](Spheres&, reference::SphereParts& d) { d.centers[1].y = kInfinity; })},
+      {"colour 1 is -1", with([](Spheres&, reference::SphereParts& d) {
          d.colors = {{1, 1, 1}, {1, -1, 1}};
        })},
-      {"material index is 7", with([](Spheres& s, SphereData&) { s.material = 7; })},
-      {"cluster_weight is 0", with([](Spheres& s, SphereData&) { s.shadow.weight = 0.0f; })},
-      {"cannot be inverted", with([](Spheres& s, SphereData&) { s.worldFromObject[1] = glm::vec4(0.0f); })},
-      {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][1] = 1.01f; })},
-      {"must scale all axes alike", with([](Spheres& s, SphereData&) { s.worldFromObject[1][0] = 0.01f; })},
-      {"its lowest coordinate in the world is -2e+09", with([](Spheres&, SphereData& d) { d.radii[0] = 2e9f; })},
+      {"material index is 7", with([](Spheres& s, reference::SphereParts&) { s.material = 7; })},
+      {"cluster_weight is 0", with([](Spheres& s, reference::SphereParts&) { s.shadow.weight = 0.0f; })},
+      {"cannot be inverted", with([](Spheres& s, reference::SphereParts&) { s.worldFromObject[1] = glm::vec4(0.0f); })},
+      {"must scale all axes alike", with([](Spheres& s, reference::SphereParts&) { s.worldFromObject[1][1] = 1.01f; })},
+      {"must scale all axes alike", with([](Spheres& s, reference::SphereParts&) { s.worldFromObject[1][0] = 0.01f; })},
+      {"its lowest coordinate in the world is -2e+09",
+       with([](Spheres&, reference::SphereParts& d) { d.radii[0] = 2e9f; })},
   });
-  EXPECT_EQ(complaint(with([](Spheres& s, SphereData&) {
+  EXPECT_EQ(complaint(with([](Spheres& s, reference::SphereParts&) {
               s.worldFromObject = scene::composeTransform({1, 2, 3}, {1, 1, 0}, 33.0f, glm::vec3(-2.0f));
             })),
             "");
 }
 
 TEST(Validate, MeshData) {
-  const auto changed = [](const std::function<void(MeshData&)>& change) {
+  const auto changed = [](const std::function<void(reference::MeshParts&)>& change) {
     return [change](Scene& s) {
-      MeshData mesh = tetrahedron();
+      reference::MeshParts mesh = reference::partsOf(tetrahedron());
       change(mesh);
-      s.meshes[0].data = share(mesh);
+      s.meshes[0].data = share(MeshData(mesh));
     };
   };
   expectComplaints({
       {"triangle 2 has the index 4, must be below the number of positions, 4",
-       changed([](MeshData& m) { m.triangles[2].y = 4; })},
-      {"has 1 normals for 4 positions", changed([](MeshData& m) { m.normals.resize(1); })},
-      {"position 3 is not finite", changed([](MeshData& m) { m.positions[3].z = kNan; })},
+       changed([](reference::MeshParts& m) { m.triangles[2].y = 4; })},
+      {"has 1 normals for 4 positions", changed([](reference::MeshParts& m) { m.normals.resize(1); })},
+      {"position 3 is not finite", changed([](reference::MeshParts& m) { m.positions[3].z = kNan; })},
       {"mesh 'cup': its highest coordinate in the world is 2e+09, must be in [-1e+09, 1e+09]",
-       changed([](MeshData& m) { m.positions[3].z = 2e9f; })},
-      {"has no triangles", changed([](MeshData& m) { m.triangles.clear(); })},
+       changed([](reference::MeshParts& m) { m.positions[3].z = 2e9f; })},
+      {"has no triangles", changed([](reference::MeshParts& m) { m.triangles.clear(); })},
   });
 }
 

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
+#include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkVolumeProperty.h>
 #include <cdsm/cdsm.hpp>
+#include <cdsm/vtk/convert.hpp>
 
 namespace cdsm::tests {
 
@@ -93,6 +96,19 @@ TEST(Changes, ofSurfacesAndOpacitiesAreSeen) {
   p.filter->GetVolumeProperty()->GetScalarOpacity()->AddPoint(kVoxel, 0.0);
   p.filter->Update();
   EXPECT_EQ(p.lowest(), 1.0f);
+}
+
+TEST(Changes, pointsOfSurfacesStayInPlace) {
+  const auto surface = square(5.0);
+  const auto inPlace = vtk::meshData(surface);
+  EXPECT_EQ(static_cast<const void*>(inPlace->positions.sideBySide()), surface->GetPoints()->GetVoidPointer(0));
+  vtkNew<vtkPoints> doubles;
+  doubles->SetDataTypeToDouble();
+  doubles->DeepCopy(surface->GetPoints());
+  surface->SetPoints(doubles);
+  const auto copied = vtk::meshData(surface);
+  ASSERT_EQ(copied->positions.size(), inPlace->positions.size());
+  for (std::size_t i = 0; i < copied->positions.size(); ++i) EXPECT_EQ(copied->positions[i], inPlace->positions[i]);
 }
 
 TEST(Changes, arrayIsKeptUntilDropped) {

@@ -2,11 +2,15 @@
 // Surfaces of VTK as triangles.
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 #include <cdsm/error.hpp>
 #include <cdsm/vtk/convert.hpp>
@@ -33,6 +37,21 @@ void requireSound(vtkPolyData* surface) {
   }
 }
 
+/// Where they are if they are floats side by side; else a copy.
+Array<glm::vec3> positionsOf(vtkDataArray* points) {
+  const auto count = std::size_t(points->GetNumberOfTuples());
+  if (points->GetDataType() == VTK_FLOAT && points->HasStandardMemoryLayout()) {
+    const auto owner = std::make_shared<vtkSmartPointer<vtkDataArray>>(points);
+    return Array<glm::vec3>::view(points->GetVoidPointer(0), count, sizeof(glm::vec3), owner);
+  }
+  std::vector<glm::vec3> positions;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* const point = points->GetTuple(vtkIdType(i));
+    positions.emplace_back(point[0], point[1], point[2]);
+  }
+  return positions;
+}
+
 }  // namespace
 
 std::shared_ptr<const MeshData> meshData(vtkPolyData* surface) {
@@ -46,16 +65,15 @@ std::shared_ptr<const MeshData> meshData(vtkPolyData* surface) {
   vtkPolyData* const triangles = filter->GetOutput();
   if (triangles->GetNumberOfPolys() == 0) return nullptr;
   auto data = std::make_shared<MeshData>();
-  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i) {
-    const double* const point = triangles->GetPoint(i);
-    data->positions.emplace_back(point[0], point[1], point[2]);
-  }
+  data->positions = positionsOf(triangles->GetPoints()->GetData());
+  std::vector<glm::uvec3> indices;
   vtkNew<vtkIdList> corners;
   vtkCellArray* const cells = triangles->GetPolys();
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
     cells->GetCellAtId(i, corners);
-    data->triangles.emplace_back(corners->GetId(0), corners->GetId(1), corners->GetId(2));
+    indices.emplace_back(corners->GetId(0), corners->GetId(1), corners->GetId(2));
   }
+  data->triangles = std::move(indices);
   return data;
 }
 

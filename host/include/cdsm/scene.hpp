@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cdsm/array.hpp>
 #include <cdsm/export.hpp>
 
 namespace cdsm {
@@ -106,9 +107,9 @@ struct ShadowRole {
 
 /// Triangles in object space. Either no normals or one per position.
 struct MeshData {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::uvec3> triangles;
+  Array<glm::vec3> positions;
+  Array<glm::vec3> normals;
+  Array<glm::uvec3> triangles;
 };
 
 struct Mesh {
@@ -120,13 +121,14 @@ struct Mesh {
   glm::vec3 interiorColor{1.0f};
   ShadowRole shadow;
   glm::vec3 interiorTransmission{0.0f};  ///< as Material::transmission, of the interior
+  std::uint64_t revision = 0;            ///< another one than before says that the arrays of the same data have changed
 };
 
 /// Spheres in object space, each with its own radius > 0. Either no colours or one per centre.
 struct SphereData {
-  std::vector<glm::vec3> centers;
-  std::vector<float> radii;
-  std::vector<glm::vec3> colors;  ///< diffuse, in place of the material's
+  Array<glm::vec3> centers;
+  Array<float> radii;
+  Array<glm::vec3> colors;  ///< diffuse, in place of the material's
 };
 
 /// Glyphs or atoms: surfaces that are never tessellated. Light that passes through a sphere crosses it twice.
@@ -136,6 +138,7 @@ struct Spheres {
   int material = 0;                 ///< index into Scene::materials
   glm::mat4 worldFromObject{1.0f};  ///< scales all axes alike
   ShadowRole shadow;
+  std::uint64_t revision = 0;  ///< another one than before says that the arrays of the same data have changed
 };
 
 enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };

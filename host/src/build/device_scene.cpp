@@ -164,7 +164,7 @@ void DeviceScene::addMesh(const Scene& scene, std::size_t index) {
   // entering and leaving are told by the turn of the triangles, so what encloses media must turn outwards
   const bool inward = object.mediumCount > 0 &&
                       (signedVolume(*mesh.data) < 0.0) != (glm::determinant(glm::mat3(mesh.worldFromObject)) < 0.0f);
-  objectTriangles_.push_back({mesh.data, inward});
+  objectTriangles_.push_back({mesh.data, mesh.revision, inward});
   hostObjects_.push_back(object);
 }
 
@@ -181,7 +181,7 @@ void DeviceScene::addBox(const Scene& scene, std::size_t index) {
     object.mediumCount = 1;
     addVolumeMedium(scene, volume);
   }
-  objectTriangles_.push_back({unitCube(), glm::determinant(glm::mat3(matrix)) < 0.0f});
+  objectTriangles_.push_back({unitCube(), 0, glm::determinant(glm::mat3(matrix)) < 0.0f});
   hostObjects_.push_back(object);
 }
 
@@ -194,10 +194,6 @@ void DeviceScene::addSpheres(const Scene& scene, const Spheres& spheres) {
   object.receives = spheres.shadow.receives;
   object.hasColors = !spheres.data->colors.empty();
   hostObjects_.push_back(object);
-}
-
-bool DeviceScene::isBox(std::size_t object) const {
-  return scene::placeOf(scene_, object).kind == scene::ObjectKind::Volume;
 }
 
 void DeviceScene::update(const Scene& scene) {
@@ -216,11 +212,11 @@ void DeviceScene::update(const Scene& scene) {
 }
 
 template <class Data>
-void DeviceScene::addBounds(std::size_t object, const std::shared_ptr<const Data>& data,
+void DeviceScene::addBounds(std::size_t object, const std::shared_ptr<const Data>& data, std::uint64_t revision,
                             const glm::mat4& worldFromObject) {
   KnownBounds& known = objectBounds_[object];
-  if (known.data != data || known.worldFromObject != worldFromObject)
-    known = {data, worldFromObject, scene::boundsOf(*data, worldFromObject)};
+  if (known.data != data || known.revision != revision || known.worldFromObject != worldFromObject)
+    known = {data, revision, worldFromObject, scene::boundsOf(*data, worldFromObject)};
   bounds_.add(known.bounds);
 }
 
@@ -228,9 +224,10 @@ void DeviceScene::updateBounds() {
   objectBounds_.resize(hostObjects_.size());
   bounds_ = {};
   std::size_t object = 0;
-  for (const Mesh& mesh : scene_.meshes) addBounds(object++, mesh.data, mesh.worldFromObject);
-  for (const Volume& volume : scene_.volumes) addBounds(object++, unitCube(), worldFromUnitCube(volume));
-  for (const Spheres& spheres : scene_.spheres) addBounds(object++, spheres.data, spheres.worldFromObject);
+  for (const Mesh& mesh : scene_.meshes) addBounds(object++, mesh.data, mesh.revision, mesh.worldFromObject);
+  for (const Volume& volume : scene_.volumes) addBounds(object++, unitCube(), 0, worldFromUnitCube(volume));
+  for (const Spheres& spheres : scene_.spheres)
+    addBounds(object++, spheres.data, spheres.revision, spheres.worldFromObject);
 }
 
 void DeviceScene::requireSteps() const {

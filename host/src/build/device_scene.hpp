@@ -60,8 +60,6 @@ class DeviceScene {
 
   /// Host copy, for techniques that build structures of their own.
   const std::vector<shared::ObjectData>& hostObjects() const { return hostObjects_; }
-  /// True for the box of a volume.
-  bool isBox(std::size_t object) const;
   /// Per medium, the object that encloses it.
   std::vector<std::uint32_t> objectsOfMedia() const;
   /// Per medium, the extinction above which a sample's opacity is over `threshold`: that of a volume per its unit
@@ -110,11 +108,13 @@ class DeviceScene {
   /// What an object's bounds were computed from.
   struct KnownBounds {
     std::shared_ptr<const void> data;
+    std::uint64_t revision = 0;
     glm::mat4 worldFromObject{1.0f};
     scene::Bounds bounds;
   };
   template <class Data>
-  void addBounds(std::size_t object, const std::shared_ptr<const Data>& data, const glm::mat4& worldFromObject);
+  void addBounds(std::size_t object, const std::shared_ptr<const Data>& data, std::uint64_t revision,
+                 const glm::mat4& worldFromObject);
   std::vector<KnownBounds> objectBounds_;
   std::vector<ObjectTriangles> objectTriangles_;
   std::vector<shared::ObjectData> hostObjects_;

@@ -1,42 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build/geometry.hpp"
 
+#include <utility>
+
 #include <cdsm/error.hpp>
 
 namespace cdsm::build {
 
-void Geometry::update(std::vector<ObjectTriangles> objects) {
-  if (uploaded_ && objects == objects_) return;
-  uploaded_ = false;
-  objects_ = std::move(objects);
-  ranges_.clear();
-  hostTriangles_.clear();
-  hostPositions_.clear();
-  hostNormals_.clear();
-  for (const ObjectTriangles& object : objects_) append(object);
-  const auto put = [&](auto& buffer, const auto& values, const char* name) {
-    buffer = {};
-    buffer = std::decay_t<decltype(buffer)>::fromHost(device_, values, name);
-  };
-  put(triangles_, hostTriangles_, "triangles");
-  put(positions_, hostPositions_, "vertex positions");
-  put(normals_, hostNormals_, "vertex normals");
-  uploaded_ = true;
+namespace {
+
+/// Into the places of `range`: from where they lie if they lie side by side.
+void uploadVectors(device::Buffer<float>& buffer, const Array<glm::vec3>& vectors, const PrimitiveRange& range) {
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "vectors are floats side by side");
+  if (vectors.empty()) return;
+  std::vector<glm::vec3> packed;
+  const glm::vec3* first = vectors.sideBySide();
+  if (!first) {
+    packed.assign(vectors.begin(), vectors.end());
+    first = packed.data();
+  }
+  buffer.upload(&first->x, 3 * range.count, 3 * range.first);
 }
 
-void Geometry::append(const ObjectTriangles& object) {
-  const MeshData& data = *object.data;
-  const std::size_t first = hostPositions_.size() / 3;
-  if (first + data.positions.size() > 0xffffffffu || hostTriangles_.size() + data.triangles.size() > 0x3fffffffu)
+}  // namespace
+
+void Geometry::update(std::vector<ObjectTriangles> objects) {
+  const std::vector<ObjectTriangles> former = std::exchange(objects_, {});  // none should an upload fail
+  const bool inPlace = triangles_.allocated() && former.size() == objects.size() && fit(objects);
+  if (!inPlace) makeRoom(objects);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (!inPlace || !(objects[i] == former[i])) upload(i, objects[i]);
+  objects_ = std::move(objects);
+}
+
+bool Geometry::fit(const std::vector<ObjectTriangles>& objects) const {
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].data->positions.size() != vertexRanges_[i].count ||
+        objects[i].data->triangles.size() != triangleRanges_[i].count)
+      return false;
+  return true;
+}
+
+void Geometry::makeRoom(const std::vector<ObjectTriangles>& objects) {
+  std::size_t vertices = 0, triangles = 0;
+  triangleRanges_.clear();
+  vertexRanges_.clear();
+  for (const ObjectTriangles& object : objects) {
+    vertexRanges_.push_back({vertices, object.data->positions.size()});
+    triangleRanges_.push_back({triangles, object.data->triangles.size()});
+    vertices += vertexRanges_.back().count;
+    triangles += triangleRanges_.back().count;
+  }
+  if (vertices > 0xffffffffu || triangles > 0x3fffffffu)
     throw Error("the scene has more than 2^30 triangles or 2^32 vertices, which their numbers cannot hold");
-  const auto number = shared::uint(ranges_.size());
-  ranges_.push_back({hostTriangles_.size(), data.triangles.size()});
-  for (const glm::vec3& p : data.positions) hostPositions_.insert(hostPositions_.end(), {p.x, p.y, p.z});
-  for (const glm::vec3& n : data.normals) hostNormals_.insert(hostNormals_.end(), {n.x, n.y, n.z});
-  hostNormals_.resize(hostPositions_.size(), 0.0f);
-  const auto base = shared::uint(first);
+  triangles_ = {};
+  positions_ = {};
+  normals_ = {};
+  triangles_ = {device_, triangles, "triangles"};
+  positions_ = {device_, 3 * vertices, "vertex positions"};
+  normals_ = {device_, 3 * vertices, "vertex normals"};
+}
+
+void Geometry::upload(std::size_t object, const ObjectTriangles& triangles) {
+  const MeshData& data = *triangles.data;
+  uploadVectors(positions_, data.positions, vertexRanges_[object]);
+  uploadVectors(normals_, data.normals, vertexRanges_[object]);
+  const auto base = shared::uint(vertexRanges_[object].first), number = shared::uint(object);
+  std::vector<shared::uint4> corners;
+  corners.reserve(data.triangles.size());
   for (const glm::uvec3& t : data.triangles)
-    hostTriangles_.push_back({base + t.x, base + (object.flip ? t.z : t.y), base + (object.flip ? t.y : t.z), number});
+    corners.push_back({base + t.x, base + (triangles.flip ? t.z : t.y), base + (triangles.flip ? t.y : t.z), number});
+  triangles_.upload(corners.data(), corners.size(), triangleRanges_[object].first);
 }
 
 }  // namespace cdsm::build

@@ -2,6 +2,7 @@
 // The triangles of all objects on the device, in object space. Moving objects does not touch them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -15,12 +16,15 @@ namespace cdsm::build {
 /// The triangles of one object. `flip`: with their corners in the other order.
 struct ObjectTriangles {
   std::shared_ptr<const MeshData> data;
+  std::uint64_t revision = 0;  ///< of the data
   bool flip = false;
 
-  bool operator==(const ObjectTriangles& other) const { return data == other.data && flip == other.flip; }
+  bool operator==(const ObjectTriangles& other) const {
+    return data == other.data && revision == other.revision && flip == other.flip;
+  }
 };
 
-/// Triangles, or spheres, first .. first + count - 1.
+/// Triangles, vertices or spheres, first .. first + count - 1.
 struct PrimitiveRange {
   std::size_t first = 0, count = 0;
 };
@@ -29,26 +33,28 @@ class Geometry {
  public:
   explicit Geometry(device::Device& device) : device_(device) {}
 
-  /// Uploads the triangles of the objects, in their order, unless they are what is there already.
+  /// Uploads the triangles of the objects, in their order, but for those that are there already. If as many vertices
+  /// and triangles come in the same places as before, that is all but what has changed.
   void update(std::vector<ObjectTriangles> objects);
 
-  const PrimitiveRange& rangeOf(std::size_t object) const { return ranges_[object]; }
+  /// Triangles of an object.
+  const PrimitiveRange& rangeOf(std::size_t object) const { return triangleRanges_[object]; }
+  /// What is on the device.
+  const std::vector<ObjectTriangles>& objects() const { return objects_; }
   /// Corners, w: object.
-  const std::vector<shared::uint4>& hostTriangles() const { return hostTriangles_; }
-  const std::vector<float>& hostPositions() const { return hostPositions_; }
   const device::Buffer<shared::uint4>& triangles() const { return triangles_; }
   const device::Buffer<float>& positions() const { return positions_; }
+  /// Of vertices, if their object has normals.
   const device::Buffer<float>& normals() const { return normals_; }
 
  private:
-  void append(const ObjectTriangles& object);
+  bool fit(const std::vector<ObjectTriangles>& objects) const;
+  void makeRoom(const std::vector<ObjectTriangles>& objects);
+  void upload(std::size_t object, const ObjectTriangles& triangles);
 
   device::Device& device_;
   std::vector<ObjectTriangles> objects_;
-  bool uploaded_ = false;
-  std::vector<PrimitiveRange> ranges_;
-  std::vector<shared::uint4> hostTriangles_;
-  std::vector<float> hostPositions_, hostNormals_;
+  std::vector<PrimitiveRange> triangleRanges_, vertexRanges_;
   device::Buffer<shared::uint4> triangles_;
   device::Buffer<float> positions_, normals_;
 };

@@ -121,6 +121,22 @@ Caster spheresShape(const Spheres& spheres, const KnownShapes::Shape& shape) {
   return caster;
 }
 
+KnownShapes::Shape shapeOf(const MeshData& data) {
+  KnownShapes::Shape shape;
+  shape.bounds = scene::boundsOf(data, glm::mat4(1.0f));
+  if (data.positions.empty()) shape.bounds.add(glm::vec3(0.0f));
+  shape.plane = planeOf(data, shape.bounds.diagonal());
+  if (shape.plane) shape.outline = filledOutline(data, shape.plane->normal);
+  return shape;
+}
+
+KnownShapes::Shape shapeOf(const SphereData& data) {
+  KnownShapes::Shape shape;
+  shape.bounds = scene::boundsOf(data, glm::mat4(1.0f));
+  shape.hull = hullOf(data, shape.bounds);
+  return shape;
+}
+
 Caster volumeShape(const Volume& volume) {
   Caster caster;
   const glm::dmat4 matrix(scene::worldFromIndex(volume));
@@ -132,29 +148,20 @@ Caster volumeShape(const Volume& volume) {
 
 }  // namespace
 
-const KnownShapes::Shape& KnownShapes::of(const std::shared_ptr<const MeshData>& data) {
-  const auto known = shapes_.find(data.get());
-  if (known != shapes_.end()) return known->second.shape;
-  Shape shape;
-  shape.bounds = scene::boundsOf(*data, glm::mat4(1.0f));
-  if (data->positions.empty()) shape.bounds.add(glm::vec3(0.0f));
-  shape.plane = planeOf(*data, shape.bounds.diagonal());
-  if (shape.plane) shape.outline = filledOutline(*data, shape.plane->normal);
-  return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
+const KnownShapes::Shape& KnownShapes::of(const Mesh& mesh) {
+  const auto [entry, isNew] = shapes_.try_emplace({mesh.data, mesh.revision});
+  return isNew ? entry->second = shapeOf(*mesh.data) : entry->second;
 }
 
-const KnownShapes::Shape& KnownShapes::of(const std::shared_ptr<const SphereData>& data) {
-  const auto known = shapes_.find(data.get());
-  if (known != shapes_.end()) return known->second.shape;
-  Shape shape;
-  shape.bounds = scene::boundsOf(*data, glm::mat4(1.0f));
-  shape.hull = hullOf(*data, shape.bounds);
-  return shapes_.emplace(data.get(), Known{data, shape}).first->second.shape;
+const KnownShapes::Shape& KnownShapes::of(const Spheres& spheres) {
+  const auto [entry, isNew] = shapes_.try_emplace({spheres.data, spheres.revision});
+  return isNew ? entry->second = shapeOf(*spheres.data) : entry->second;
 }
 
 void KnownShapes::keepOnly(const Scene& scene) {
-  const auto usedBy = [](const auto& objects, const void* data) {
-    return std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return object.data.get() == data; });
+  const auto usedBy = [](const auto& objects, const Key& key) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const auto& object) { return object.data == key.first && object.revision == key.second; });
   };
   for (auto entry = shapes_.begin(); entry != shapes_.end();) {
     const bool used = usedBy(scene.meshes, entry->first) || usedBy(scene.spheres, entry->first);
@@ -181,9 +188,9 @@ bool casts(const Scene& scene, unsigned object) {
 std::vector<Caster> objectShapes(const Scene& scene, KnownShapes& shapes) {
   std::vector<Caster> list;
   for (const Mesh& mesh : scene.meshes)
-    list.push_back(meshShape(mesh, shapes.of(mesh.data), scene.materials[mesh.material].opacity >= 1.0f));
+    list.push_back(meshShape(mesh, shapes.of(mesh), scene.materials[mesh.material].opacity >= 1.0f));
   for (const Volume& volume : scene.volumes) list.push_back(volumeShape(volume));
-  for (const Spheres& spheres : scene.spheres) list.push_back(spheresShape(spheres, shapes.of(spheres.data)));
+  for (const Spheres& spheres : scene.spheres) list.push_back(spheresShape(spheres, shapes.of(spheres)));
   for (std::size_t i = 0; i < list.size(); ++i) list[i].object = unsigned(i);
   return list;
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <cdsm/scene.hpp>
@@ -35,17 +37,15 @@ class KnownShapes {
     std::vector<glm::dvec3> hull;     ///< of spheres
   };
 
-  const Shape& of(const std::shared_ptr<const MeshData>& data);
-  const Shape& of(const std::shared_ptr<const SphereData>& data);
-  /// Forgets data that the scene no longer has.
+  const Shape& of(const Mesh& mesh);
+  const Shape& of(const Spheres& spheres);
+  /// Forgets data, and revisions of them, that the scene no longer has.
   void keepOnly(const Scene& scene);
 
  private:
-  struct Known {
-    std::shared_ptr<const void> data;  ///< keeps the address from being used again
-    Shape shape;
-  };
-  std::map<const void*, Known> shapes_;
+  using Key = std::pair<std::shared_ptr<const void>, std::uint64_t>;  ///< data and their revision
+
+  std::map<Key, Shape> shapes_;
 };
 
 /// True if an object attenuates light at all.

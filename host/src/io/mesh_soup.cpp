@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace cdsm::io {
 
@@ -41,22 +42,23 @@ bool hasArea(const Corner* corner) {
 }  // namespace
 
 MeshData joinCorners(const std::vector<Corner>& corners) {
-  MeshData mesh;
-  const bool normals = std::all_of(corners.begin(), corners.end(), hasNormal);
+  const bool hasNormals = std::all_of(corners.begin(), corners.end(), hasNormal);
+  std::vector<glm::vec3> positions, normals;
+  std::vector<glm::uvec3> triangles;
   std::unordered_map<Corner, glm::uint, CornerHash, CornerEqual> indices;
   const auto indexOf = [&](const Corner& corner) {
-    const Corner key = keyOf(corner, normals);
-    const auto [at, isNew] = indices.emplace(key, static_cast<glm::uint>(mesh.positions.size()));
-    if (isNew) mesh.positions.push_back(key.position);
-    if (isNew && normals) mesh.normals.push_back(key.normal);
+    const Corner key = keyOf(corner, hasNormals);
+    const auto [at, isNew] = indices.emplace(key, static_cast<glm::uint>(positions.size()));
+    if (isNew) positions.push_back(key.position);
+    if (isNew && hasNormals) normals.push_back(key.normal);
     return at->second;
   };
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     if (!hasArea(&corners[i])) continue;
     const glm::uint a = indexOf(corners[i]), b = indexOf(corners[i + 1]), c = indexOf(corners[i + 2]);
-    mesh.triangles.emplace_back(a, b, c);
+    triangles.emplace_back(a, b, c);
   }
-  return mesh;
+  return {std::move(positions), std::move(normals), std::move(triangles)};
 }
 
 }  // namespace cdsm::io

@@ -3,6 +3,8 @@
 #include "io/sphere_look.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <cdsm/error.hpp>
 
@@ -25,16 +27,17 @@ std::shared_ptr<const SphereData> makeSpheres(const Molecule& molecule, const Sp
   if (look.radius == 0.0f && molecule.unknown)
     throw Error(molecule.unknown->place, molecule.unknown->name + " is no known element, which has a van der Waals " +
                                              "radius; the scene must give a 'radius' for all");
-  auto spheres = std::make_shared<SphereData>();
   const bool colored = look.color || hasElements(molecule);
+  std::vector<glm::vec3> centers, colors;
+  std::vector<float> radii;
   for (const Atom& atom : molecule.atoms) {
     if (atom.water && !look.waters) continue;
-    spheres->centers.push_back(atom.position);
-    spheres->radii.push_back(look.radius > 0.0f ? look.radius : vanDerWaalsRadius(atom.element));
-    if (colored) spheres->colors.push_back(look.color ? *look.color : elementColor(atom.element));
+    centers.push_back(atom.position);
+    radii.push_back(look.radius > 0.0f ? look.radius : vanDerWaalsRadius(atom.element));
+    if (colored) colors.push_back(look.color ? *look.color : elementColor(atom.element));
   }
-  if (spheres->centers.empty()) throw Error("the file holds water alone, which waters = false leaves out");
-  return spheres;
+  if (centers.empty()) throw Error("the file holds water alone, which waters = false leaves out");
+  return std::make_shared<SphereData>(SphereData{std::move(centers), std::move(radii), std::move(colors)});
 }
 
 }  // namespace cdsm::io

@@ -13,12 +13,12 @@ namespace {
 auto key(const Material& m) { return std::tie(m.name, m.diffuse, m.specular, m.shininess, m.opacity, m.transmission); }
 auto key(const ShadowRole& r) { return std::tie(r.casts, r.receives, r.weight); }
 auto key(const Mesh& m) {
-  return std::tuple_cat(std::tie(m.name, m.data, m.material, m.worldFromObject, m.interiorExtinction, m.interiorColor,
-                                 m.interiorTransmission),
+  return std::tuple_cat(std::tie(m.name, m.data, m.revision, m.material, m.worldFromObject, m.interiorExtinction,
+                                 m.interiorColor, m.interiorTransmission),
                         key(m.shadow));
 }
 auto key(const Spheres& s) {
-  return std::tuple_cat(std::tie(s.name, s.data, s.material, s.worldFromObject), key(s.shadow));
+  return std::tuple_cat(std::tie(s.name, s.data, s.revision, s.material, s.worldFromObject), key(s.shadow));
 }
 auto key(const TransferFunction::OpacityPoint& p) { return std::tie(p.value, p.opacity); }
 auto key(const TransferFunction::ColorPoint& p) { return std::tie(p.value, p.color); }
@@ -58,14 +58,15 @@ glm::vec3 counted(const Scene& scene, const glm::vec3& transmission) {
 auto meshCaster(const Scene& scene, std::size_t index) {
   const Mesh& m = scene.meshes[index];
   const Material& material = scene.materials[m.material];
-  return std::make_tuple(m.data, m.worldFromObject, m.interiorExtinction, counted(scene, m.interiorTransmission),
-                         m.shadow.casts, material.opacity, counted(scene, material.transmission));
+  return std::make_tuple(m.data, m.revision, m.worldFromObject, m.interiorExtinction,
+                         counted(scene, m.interiorTransmission), m.shadow.casts, material.opacity,
+                         counted(scene, material.transmission));
 }
 
 /// What of them is seen, and occludes.
 auto spheresShape(const Scene& scene, std::size_t index) {
   const Spheres& s = scene.spheres[index];
-  return std::tie(s.data, s.worldFromObject, s.shadow.casts, scene.materials[s.material].opacity);
+  return std::tie(s.data, s.revision, s.worldFromObject, s.shadow.casts, scene.materials[s.material].opacity);
 }
 
 auto spheresCaster(const Scene& scene, std::size_t index) {
@@ -80,8 +81,11 @@ CasterChange volumeChange(const Scene& a, const Scene& b, std::size_t index) {
   };
   if (grid(v) != grid(w)) return CasterChange::Other;
   if (v.boundary >= 0) {
-    const Mesh &m = a.meshes[v.boundary], &n = b.meshes[v.boundary];
-    if (m.data != n.data || m.worldFromObject != n.worldFromObject) return CasterChange::Other;
+    const auto shape = [&](const Scene& scene) {
+      const Mesh& m = scene.meshes[std::size_t(v.boundary)];
+      return std::tie(m.data, m.revision, m.worldFromObject);
+    };
+    if (shape(a) != shape(b)) return CasterChange::Other;
   }
   const TransferFunction &s = v.transfer, &t = w.transfer;
   const bool same = s.unitDistance == t.unitDistance && sameLists(s.towardsLights(), t.towardsLights()) &&

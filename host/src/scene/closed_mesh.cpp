@@ -21,7 +21,7 @@ bool isBefore(const glm::vec3& a, const glm::vec3& b) {
 }
 
 /// For each position a number that equal positions share.
-std::vector<std::uint32_t> joinPositions(const std::vector<glm::vec3>& positions) {
+std::vector<std::uint32_t> joinPositions(const Array<glm::vec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),

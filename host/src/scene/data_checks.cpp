@@ -18,24 +18,28 @@ void DataChecks::remember(const std::shared_ptr<const void>& data, std::uint64_t
   known_[data.get()] = {data, std::nullopt, revision};
 }
 
-void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what) {
-  if (find(data)) return;
-  validateMeshData(*data, what);
-  remember(data);
+template <class Data>
+void DataChecks::require(const std::shared_ptr<const Data>& data, void (*validate)(const Data&, const std::string&),
+                         const std::string& what, std::uint64_t revision) {
+  const Known* known = find(data);
+  if (known && known->revision == revision) return;
+  validate(*data, what);
+  remember(data, revision);
+}
+
+void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what,
+                              std::uint64_t revision) {
+  require(data, validateMeshData, what, revision);
 }
 
 void DataChecks::requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what,
                               std::uint64_t revision) {
-  const Known* known = find(data);
-  if (known && known->revision == revision) return;
-  validateVolumeData(*data, what);
-  remember(data, revision);
+  require(data, validateVolumeData, what, revision);
 }
 
-void DataChecks::requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what) {
-  if (find(data)) return;
-  validateSphereData(*data, what);
-  remember(data);
+void DataChecks::requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what,
+                              std::uint64_t revision) {
+  require(data, validateSphereData, what, revision);
 }
 
 std::size_t DataChecks::openEdges(const std::shared_ptr<const MeshData>& data) {

@@ -13,15 +13,15 @@
 
 namespace cdsm::scene {
 
-/// Remembers what has been found out about data, which are immutable once they are shared, for as long as they live.
-/// Does not keep them alive. For one thread.
+/// Remembers what has been found out about data for as long as they live: they are immutable once they are shared, but
+/// for memory that they only show, of which another revision tells. Does not keep them alive. For one thread.
 class DataChecks {
  public:
   /// validateMeshData(), validateVolumeData() and validateSphereData(), unless the same data of the same revision
   /// passed before.
-  void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what);
+  void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what, std::uint64_t revision = 0);
   void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what, std::uint64_t revision = 0);
-  void requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what);
+  void requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what, std::uint64_t revision = 0);
 
   /// openEdges() of valid data.
   std::size_t openEdges(const std::shared_ptr<const MeshData>& data);
@@ -30,11 +30,14 @@ class DataChecks {
   struct Known {
     std::weak_ptr<const void> owner;  ///< expired: another may have the address by now
     std::optional<std::size_t> openEdges;
-    std::uint64_t revision = 0;  ///< of voxels: Volume::revision
+    std::uint64_t revision = 0;  ///< of what they show
   };
 
+  template <class Data>
+  void require(const std::shared_ptr<const Data>& data, void (*validate)(const Data&, const std::string&),
+               const std::string& what, std::uint64_t revision);
   Known* find(const std::shared_ptr<const void>& data);
-  void remember(const std::shared_ptr<const void>& data, std::uint64_t revision = 0);
+  void remember(const std::shared_ptr<const void>& data, std::uint64_t revision);
 
   std::map<const void*, Known> known_;
 };

@@ -58,7 +58,7 @@ std::vector<glm::vec3> boxCorners(const VolumeData& data) {
 
 /// Points beyond the range of coordinates would overflow on the way to the screen; in double they do not here.
 /// `reach`: of what is around each point, in the world.
-void requireReach(const std::vector<glm::vec3>& points, const glm::dmat4& worldFromPoints, const std::string& what,
+void requireReach(const Array<glm::vec3>& points, const glm::dmat4& worldFromPoints, const std::string& what,
                   double reach = 0.0) {
   glm::dvec3 low(0.0), high(0.0);
   for (const glm::vec3& point : points) {
@@ -190,7 +190,7 @@ void validateMesh(const Mesh& mesh, std::size_t materialCount, DataChecks& check
   const std::string what = quoted("mesh", mesh.name);
   if (!mesh.data) throw Error(what + " has no data, must point to a MeshData");
   requireTransform(mesh.worldFromObject, what);
-  checks.requireValid(mesh.data, what);
+  checks.requireValid(mesh.data, what, mesh.revision);
   requireReach(mesh.data->positions, mesh.worldFromObject, what);
   requireMaterial(mesh.material, materialCount, what);
   requireRange(mesh.interiorExtinction, kNotNegative, what + ": interior_extinction");
@@ -225,8 +225,9 @@ void validateSpheres(const Spheres& spheres, std::size_t materialCount, DataChec
   if (!isSimilarity(spheres.worldFromObject)) {
     throw Error(what + ": the transform would make ellipsoids of spheres, must scale all axes alike");
   }
-  checks.requireValid(spheres.data, what);
-  const float greatest = *std::max_element(spheres.data->radii.begin(), spheres.data->radii.end());
+  checks.requireValid(spheres.data, what, spheres.revision);
+  float greatest = 0.0f;
+  for (const float radius : spheres.data->radii) greatest = std::max(greatest, radius);
   requireReach(spheres.data->centers, spheres.worldFromObject, what,
                double(greatest) * glm::length(glm::dvec3(spheres.worldFromObject[0])));
   requireMaterial(spheres.material, materialCount, what);

@@ -16,10 +16,17 @@ namespace {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void requireFinite(const std::vector<glm::vec3>& vectors, const std::string& what) {
+void requireFinite(const Array<glm::vec3>& vectors, const std::string& what) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     if (!isFinite(vectors[i])) throw Error(what + " " + std::to_string(i) + " is not finite, must be numbers");
   }
+}
+
+/// That arrays lie somewhere.
+template <class... T>
+void requirePlaces(const std::string& what, const char* which, const Array<T>&... arrays) {
+  if (!(arrays.isSomewhere() && ...))
+    throw Error(what + " has an array that shows memory at null, must point to its " + which);
 }
 
 /// Product of the sides, or 0 when it does not fit.
@@ -69,6 +76,7 @@ void requireAscending(const std::vector<Point>& points, const std::string& what)
 
 void validateMeshData(const MeshData& data, const std::string& what) {
   if (data.triangles.empty()) throw Error(what + " has no triangles, must have at least one");
+  requirePlaces(what, "positions, normals and triangles", data.positions, data.normals, data.triangles);
   requireFinite(data.positions, what + ": position");
   requireFinite(data.normals, what + ": normal");
   if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
@@ -111,6 +119,7 @@ void validateSphereData(const SphereData& data, const std::string& what) {
     throw Error(what + " has " + std::to_string(data.colors.size()) + " colours for " + count +
                 " centres, must be none or one for each");
   }
+  requirePlaces(what, "centres, radii and colours", data.centers, data.radii, data.colors);
   requireFinite(data.centers, what + ": centre");
   for (std::size_t i = 0; i < data.radii.size(); ++i)
     if (!kPositive.contains(data.radii[i]))

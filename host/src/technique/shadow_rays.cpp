@@ -11,11 +11,11 @@ namespace cdsm::technique {
 
 namespace {
 
-float dotPoint(const shared::float4& row, const float* p) { return row.x * p[0] + row.y * p[1] + row.z * p[2] + row.w; }
+float dotPoint(const shared::float4& row, const glm::vec3& p) {
+  return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
+}
 
-shared::float4 worldCorner(const build::DeviceScene& scene, const shared::ObjectData& object, unsigned corner) {
-  const float* p = scene.geometry().hostPositions().data() + 3 * std::size_t(corner);
-  const shared::Affine& m = object.worldFromObject;
+shared::float4 worldPoint(const shared::Affine& m, const glm::vec3& p) {
   return {dotPoint(m.x, p), dotPoint(m.y, p), dotPoint(m.z, p), 0.0f};
 }
 
@@ -39,18 +39,16 @@ std::vector<bool> metMeshes(const Scene& scene) {
   return met;
 }
 
-/// Triangles of the meshes that rays have to meet, whose objects come first. Boxes of volumes are met by formula.
-std::vector<shared::BvhPrimitive> trianglesOf(const build::DeviceScene& scene, const std::vector<bool>& meshes) {
-  std::vector<shared::BvhPrimitive> triangles;
-  for (const shared::uint4& t : scene.geometry().hostTriangles()) {
-    if (scene.isBox(t.w) || !meshes[t.w]) continue;
-    const shared::ObjectData& object = scene.hostObjects()[t.w];
-    shared::BvhPrimitive triangle{worldCorner(scene, object, t.x), worldCorner(scene, object, t.y),
-                                  worldCorner(scene, object, t.z)};
-    triangle.a.w = bitsOf(t.w);
-    triangles.push_back(triangle);
+/// The triangles of an object in world space.
+void addTriangles(const build::ObjectTriangles& triangles, const shared::Affine& worldFromObject, unsigned object,
+                  std::vector<shared::BvhPrimitive>& primitives) {
+  const MeshData& data = *triangles.data;
+  const auto corner = [&](unsigned vertex) { return worldPoint(worldFromObject, data.positions[vertex]); };
+  for (const glm::uvec3& t : data.triangles) {
+    shared::BvhPrimitive triangle{corner(t.x), corner(triangles.flip ? t.z : t.y), corner(triangles.flip ? t.y : t.z)};
+    triangle.a.w = bitsOf(object);
+    primitives.push_back(triangle);
   }
-  return triangles;
 }
 
 /// The spheres of an object in world space.
@@ -63,9 +61,14 @@ void addSpheres(const Spheres& spheres, unsigned object, std::vector<shared::Bvh
   }
 }
 
-/// All that casts, but the volumes.
+/// All that casts, but the volumes, whose boxes are met by formula.
 std::vector<shared::BvhPrimitive> primitivesOf(const Scene& scene, const build::DeviceScene& deviceScene) {
-  std::vector<shared::BvhPrimitive> primitives = trianglesOf(deviceScene, metMeshes(scene));
+  std::vector<shared::BvhPrimitive> primitives;
+  const std::vector<bool> met = metMeshes(scene);
+  for (unsigned i = 0; i < met.size(); ++i) {  // objects of the same numbers
+    if (!met[i]) continue;
+    addTriangles(deviceScene.geometry().objects()[i], deviceScene.hostObjects()[i].worldFromObject, i, primitives);
+  }
   auto object = unsigned(scene::firstSpheres(scene));
   for (const Spheres& spheres : scene.spheres) {
     if (spheres.shadow.casts && scene.materials[std::size_t(spheres.material)].opacity > 0.0f)
