@@ -27,9 +27,10 @@ check() {
 }
 
 check_address() {
-  build address unit_tests opencl_tests
+  build address unit_tests opencl_tests property_tests
   check address unit_tests '*'
   check address opencl_tests '*'
+  check address property_tests '*'
 }
 
 check_thread() {

@@ -29,6 +29,15 @@ Scene cloudScene() {
   return scene;
 }
 
+Scene sceneOf(const std::shared_ptr<const VolumeData>& data) {
+  Scene scene = cloudScene();
+  Volume& volume = scene.volumes.front();
+  volume.data = data;
+  const double largest = reference::largestValue(data->type);
+  volume.transfer = reference::linearOpacity(largest, 0.9f, 0.2f);
+  return scene;
+}
+
 std::vector<glm::vec3> somePoints(std::size_t count) {
   reference::Random random(7);
   std::vector<glm::vec3> points;

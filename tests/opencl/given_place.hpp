@@ -2,6 +2,8 @@
 // An embedder's own OpenCL, as the tests of opencl.hpp use it: the device of the other tests, a context, a queue.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,8 @@ struct Given {
 Scene cloudScene();
 /// The cloud's voxels; t: how far it has drifted.
 VolumeData cloud(VoxelType type, float t = 0.0f);
+/// The same scene with other voxels, whose largest value is of most opacity.
+Scene sceneOf(const std::shared_ptr<const VolumeData>& data);
 /// Points all over the scene, in shadow and out of it.
 std::vector<glm::vec3> somePoints(std::size_t count);
 

@@ -156,7 +156,7 @@ struct VoxelView {
   /// which devices that share the host's memory read in place; others are copied.
   std::array<std::ptrdiff_t, 3> strides{0, 0, 0};
   std::shared_ptr<const void> owner;   ///< of `data`; may be empty
-  std::shared_ptr<void> deviceBuffer;  ///< in place of `data`: made by opencl::volumeData()
+  std::shared_ptr<void> deviceMemory;  ///< in place of `data`: made by opencl::volumeData()
 };
 
 /// A scalar grid. `objectFromIndex` maps the index of a voxel's centre to object space.

@@ -2,6 +2,7 @@
 #include "build/volume_slots.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "device/program.hpp"
 #include "scene/voxels.hpp"
@@ -39,13 +40,30 @@ void shift(std::vector<std::byte>& voxels, std::size_t voxelBytes) {
   for (std::size_t i = voxelBytes - 1; i < voxels.size(); i += voxelBytes) voxels[i] ^= std::byte(0x80);
 }
 
+device::VolumeTexture::Size sizeOf(const VolumeData& data) { return {data.size.x, data.size.y, data.size.z}; }
+
+cl_mem memoryOf(const VolumeData& data) { return static_cast<cl_mem>(data.view.deviceMemory.get()); }
+
+/// The image that voxels lie in, if they do.
+std::optional<cl::Image3D> givenImage(const device::Device& device, const VolumeData& data) {
+  return data.view.deviceMemory ? device::givenImage(device, memoryOf(data), "voxels") : std::nullopt;
+}
+
+/// Whether kernels can read voxels of somebody else's image as those of textures with this channel.
+bool isReadInPlace(const cl::Image3D& image, cl_channel_type channel) {
+  const cl_image_format format = image.getImageInfo<CL_IMAGE_FORMAT>();
+  return format.image_channel_order == CL_R && format.image_channel_data_type == channel;
+}
+
 device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data,
                                   const device::Buffer<std::byte>& buffer) {
-  const device::VolumeTexture::Size size{data.size.x, data.size.y, data.size.z};
+  const device::VolumeTexture::Size size = sizeOf(data);
   const cl_channel_type channel = imageFormat(data.type).channel;
+  const auto image = givenImage(device, data);
+  if (image && isReadInPlace(*image, channel)) return device::VolumeTexture::adopt(*image);
   const bool isSigned = data.type == VoxelType::Int8 || data.type == VoxelType::Int16;
   if (!isSigned) return device::VolumeTexture(device, channel, size, buffer, "voxels");
-  std::vector<std::byte> voxels = data.view.deviceBuffer ? buffer.download() : scene::packedVoxels(data);
+  std::vector<std::byte> voxels = data.view.deviceMemory ? buffer.download() : scene::packedVoxels(data);
   shift(voxels, voxelBytes(data.type));
   return device::VolumeTexture(device, channel, size, voxels.data(), voxels.size(), "voxels");
 }
@@ -85,8 +103,9 @@ const char* voxelTypeName(VoxelType type) {
 device::Buffer<std::byte> VolumeSlots::makeVoxels(const VolumeData& data) const {
   using Bytes = device::Buffer<std::byte>;
   const std::size_t bytes = scene::voxelCount(data) * voxelBytes(data.type);
-  if (data.view.deviceBuffer)
-    return Bytes::adopt(device_, static_cast<cl_mem>(data.view.deviceBuffer.get()), bytes, "voxels");
+  if (const auto image = givenImage(device_, data))
+    return device::copyOf(device_, *image, sizeOf(data), voxelBytes(data.type), "voxels");
+  if (data.view.deviceMemory) return Bytes::adopt(device_, memoryOf(data), bytes, "voxels");
   const scene::HostVoxels voxels = scene::hostVoxels(data);
   if (!voxels.dense) {
     device_.profiler().countCopy(bytes);
@@ -100,7 +119,7 @@ device::Buffer<std::byte> VolumeSlots::makeVoxels(const VolumeData& data) const 
 
 void VolumeSlots::requireFinite(const Volume& volume, const device::Buffer<std::byte>& voxels) const {
   using Uints = device::Buffer<std::uint32_t>;
-  if (!volume.data->view.deviceBuffer || volume.data->type != VoxelType::Float32) return;
+  if (!volume.data->view.deviceMemory || volume.data->type != VoxelType::Float32) return;
   const std::size_t count = scene::voxelCount(*volume.data);
   Uints first(device_, 1, "first voxel that is not finite");
   first.fill(~0u);

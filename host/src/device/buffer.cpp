@@ -6,6 +6,11 @@
 
 namespace cdsm::device {
 
+void requireContext(const Device& device, const cl::Memory& memory, const std::string& what) {
+  if (memory.getInfo<CL_MEM_CONTEXT>()() != device.context()())
+    throw DeviceError(what + " is of another context, must be of the engine's (opencl::placeOf)");
+}
+
 BufferStorage::BufferStorage(Device& device, std::size_t count, std::size_t elementBytes, std::string name)
     : device_(&device), name_(std::move(name)) {
   allocate(count, elementBytes);
@@ -42,14 +47,13 @@ BufferStorage BufferStorage::adopt(Device& device, cl_mem buffer, std::size_t by
   storage.name_ = std::move(name);
   guarded("the buffer given as '" + storage.name_ + "'", [&] {
     storage.buffer_ = cl::Buffer(buffer, true);
-    const std::string what = "the memory given as '" + storage.name_ + "' ";
+    const std::string what = "the memory given as '" + storage.name_ + "'";
     if (storage.buffer_.getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_BUFFER)
-      throw DeviceError(what + "is an image, must be a buffer");
-    if (storage.buffer_.getInfo<CL_MEM_CONTEXT>()() != device.context()())
-      throw DeviceError(what + "is of another context, must be of the engine's (opencl::placeOf)");
+      throw DeviceError(what + " is an image, must be a buffer");
+    requireContext(device, storage.buffer_, what);
     const std::size_t has = storage.buffer_.getInfo<CL_MEM_SIZE>();
     if (has < bytes)
-      throw DeviceError(what + "has " + std::to_string(has) + " bytes, must have at least " + std::to_string(bytes));
+      throw DeviceError(what + " has " + std::to_string(has) + " bytes, must have at least " + std::to_string(bytes));
   });
   return storage;
 }

@@ -21,6 +21,9 @@ namespace cdsm::device {
 /// "All that follows the offset" for Buffer::download().
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
+/// Throws DeviceError unless memory that was given is of the device's context. `what` begins the message.
+void requireContext(const Device& device, const cl::Memory& memory, const std::string& what);
+
 /// The untyped part of Buffer: bytes, transfers and their errors. Offsets and sizes in bytes.
 class BufferStorage {
  public:

@@ -38,6 +38,11 @@ std::string sizeText(const VolumeTexture::Size& size) {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
 
+VolumeTexture::Size sizeOf(const cl::Image3D& image) {
+  return {image.getImageInfo<CL_IMAGE_WIDTH>(), image.getImageInfo<CL_IMAGE_HEIGHT>(),
+          image.getImageInfo<CL_IMAGE_DEPTH>()};
+}
+
 std::string obstacle3d(const Device& device, cl_channel_type type, const VolumeTexture::Size& size) {
   const VolumeTexture::Size most{device.handle().getInfo<CL_DEVICE_IMAGE3D_MAX_WIDTH>(),
                                  device.handle().getInfo<CL_DEVICE_IMAGE3D_MAX_HEIGHT>(),
@@ -94,6 +99,38 @@ VolumeTexture::VolumeTexture(Device& device, cl_channel_type type, const Size& s
     device.queue().enqueueCopyBufferToImage(voxels.cl(), image_, 0, {0, 0, 0}, size, nullptr, &event);
   });
   device.profiler().record("fill " + name, event, {voxels.bytes()});
+}
+
+VolumeTexture VolumeTexture::adopt(const cl::Image3D& image) {
+  VolumeTexture texture;
+  texture.image_ = image;
+  texture.size_ = sizeOf(image);
+  return texture;
+}
+
+std::optional<cl::Image3D> givenImage(const Device& device, cl_mem memory, const std::string& name) {
+  return guarded("the memory given as '" + name + "'", [&]() -> std::optional<cl::Image3D> {
+    const cl::Image3D image(memory, true);
+    if (image.getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_IMAGE3D) return std::nullopt;
+    requireContext(device, image, "the memory given as '" + name + "'");
+    return image;
+  });
+}
+
+Buffer<std::byte> copyOf(Device& device, const cl::Image3D& image, const VolumeTexture::Size& size,
+                         std::size_t voxelBytes, const std::string& name) {
+  const std::size_t pixelBytes = image.getImageInfo<CL_IMAGE_ELEMENT_SIZE>();
+  if (size != sizeOf(image) || voxelBytes != pixelBytes)
+    throw DeviceError("the image given as '" + name + "' has " + sizeText(sizeOf(image)) + " voxels of " +
+                      std::to_string(pixelBytes) + " bytes, must have " + sizeText(size) + " of " +
+                      std::to_string(voxelBytes));
+  Buffer<std::byte> voxels(device, size[0] * size[1] * size[2] * voxelBytes, name);
+  cl::Event event;
+  guarded("copy of image '" + name + "'", [&] {
+    device.queue().enqueueCopyImageToBuffer(image, voxels.cl(), {0, 0, 0}, size, 0, nullptr, &event);
+  });
+  device.profiler().record("copy " + name, event, {voxels.bytes()});
+  return voxels;
 }
 
 std::array<std::size_t, 2> NodeTexture::maxSize(const Device& device) {

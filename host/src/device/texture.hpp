@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <CL/opencl.hpp>
@@ -29,6 +30,9 @@ class VolumeTexture {
   VolumeTexture(Device& device, cl_channel_type type, const Size& size, const Buffer<std::byte>& voxels,
                 const std::string& name);
 
+  /// Somebody else's 3D image, retained, which must be of CL_R and one of these types.
+  static VolumeTexture adopt(const cl::Image3D& image);
+
   /// Why the device cannot hold such a texture ("images of at most 2048 x 2048 x 2048 ..."); empty if it can.
   static std::string obstacle(const Device& device, cl_channel_type type, const Size& size);
 
@@ -43,6 +47,13 @@ class VolumeTexture {
   cl::Image3D image_;
   Size size_{0, 0, 0};
 };
+
+/// Somebody else's 3D image, if the memory is one and not a buffer. Throws DeviceError if it is of another context.
+std::optional<cl::Image3D> givenImage(const Device& device, cl_mem memory, const std::string& name);
+
+/// The voxels of an image. Throws DeviceError unless they are so many and of so many bytes.
+Buffer<std::byte> copyOf(Device& device, const cl::Image3D& image, const VolumeTexture::Size& size,
+                         std::size_t voxelBytes, const std::string& name);
 
 /// What the 16 bytes of a pixel are: four floats, or four unsigned words of 32 bits.
 enum class PixelType { Floats, Words };

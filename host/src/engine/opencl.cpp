@@ -2,6 +2,7 @@
 // What opencl.hpp promises.
 #include <cdsm/opencl.hpp>
 
+#include "device/cl_error.hpp"
 #include "device/picture_target.hpp"
 #include "device/program.hpp"
 #include "engine/engine_impl.hpp"
@@ -28,6 +29,38 @@ std::size_t coordinatesOf(const Points& points) {
   return (points.count - 1) * points.stride + 3;
 }
 
+/// Retained as long as the result lives. `what` begins the message.
+std::shared_ptr<void> shared(cl_mem memory, const std::string& what) {
+  if (!memory) throw Error(what + " is null, must have its voxels");
+  if (clRetainMemObject(memory) != CL_SUCCESS) throw Error(what + " is no OpenCL memory object");
+  return {memory, [](void* held) { clReleaseMemObject(static_cast<cl_mem>(held)); }};
+}
+
+/// Throws Error unless an image has voxels of such a type.
+VoxelType voxelTypeOf(const cl_image_format& format) {
+  const cl_channel_order order = format.image_channel_order;
+  if (order != CL_R && order != CL_LUMINANCE && order != CL_INTENSITY)
+    throw Error("the image of a volume has other channels than one, must be of CL_R, CL_LUMINANCE or CL_INTENSITY");
+  switch (format.image_channel_data_type) {
+    case CL_UNORM_INT8:
+    case CL_UNSIGNED_INT8:
+      return VoxelType::UInt8;
+    case CL_SNORM_INT8:
+    case CL_SIGNED_INT8:
+      return VoxelType::Int8;
+    case CL_UNORM_INT16:
+    case CL_UNSIGNED_INT16:
+      return VoxelType::UInt16;
+    case CL_SNORM_INT16:
+    case CL_SIGNED_INT16:
+      return VoxelType::Int16;
+    case CL_FLOAT:
+      return VoxelType::Float32;
+    default:
+      throw Error("the image of a volume has channels of an unknown type, must be integers of 8 or 16 bits or floats");
+  }
+}
+
 }  // namespace
 
 Engine makeEngine(const Place& place, const EngineOptions& options) {
@@ -43,14 +76,28 @@ Place placeOf(const Engine& engine) {
 
 std::shared_ptr<VolumeData> volumeData(cl_mem buffer, VoxelType type, const glm::uvec3& size,
                                        const glm::mat4& objectFromIndex) {
-  if (!buffer) throw Error("the buffer of a volume is null, must have its voxels");
-  if (clRetainMemObject(buffer) != CL_SUCCESS) throw Error("the buffer of a volume is no OpenCL memory object");
   auto data = std::make_shared<VolumeData>();
-  data->view.deviceBuffer =
-      std::shared_ptr<void>(buffer, [](void* held) { clReleaseMemObject(static_cast<cl_mem>(held)); });
+  data->view.deviceMemory = shared(buffer, "the buffer of a volume");
+  if (cl::Buffer(buffer, true).getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_BUFFER)
+    throw Error("the buffer of a volume is an image, must be a buffer; images come without type and size");
   data->type = type;
   data->size = size;
   data->objectFromIndex = objectFromIndex;
+  return data;
+}
+
+std::shared_ptr<VolumeData> volumeData(cl_mem image, const glm::mat4& objectFromIndex) {
+  auto data = std::make_shared<VolumeData>();
+  data->view.deviceMemory = shared(image, "the image of a volume");
+  data->objectFromIndex = objectFromIndex;
+  device::guarded("the image of a volume", [&] {
+    const cl::Image3D given(image, true);
+    if (given.getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_IMAGE3D)
+      throw Error("the image of a volume is none of three dimensions; a buffer comes with its type and size");
+    data->type = voxelTypeOf(given.getImageInfo<CL_IMAGE_FORMAT>());
+    data->size = {given.getImageInfo<CL_IMAGE_WIDTH>(), given.getImageInfo<CL_IMAGE_HEIGHT>(),
+                  given.getImageInfo<CL_IMAGE_DEPTH>()};
+  });
   return data;
 }
 

@@ -51,9 +51,9 @@ std::size_t findNonFinite(const VolumeData& data) {
 
 /// That voxels are given in one way, and as many as the size says.
 void requireVoxels(const VolumeData& data, std::uint64_t bytes, const std::string& sides, const std::string& what) {
-  const int places = !data.voxels.empty() + (data.view.data != nullptr) + (data.view.deviceBuffer != nullptr);
+  const int places = !data.voxels.empty() + (data.view.data != nullptr) + (data.view.deviceMemory != nullptr);
   if (places > 1) throw Error(what + " has voxels and a view, or two views of them, must have one");
-  if (data.view.data || data.view.deviceBuffer) return;
+  if (data.view.data || data.view.deviceMemory) return;
   if (data.voxels.size() != bytes) {
     throw Error(what + " has " + std::to_string(data.voxels.size()) + " bytes for " + sides + " voxels, must be " +
                 std::to_string(bytes));
@@ -103,7 +103,7 @@ void validateVolumeData(const VolumeData& data, const std::string& what) {
   if (!isInvertibleAffine(data.objectFromIndex)) {
     throw Error(what + ": the grid's axes span no space, must be finite and independent");
   }
-  if (data.type != VoxelType::Float32 || data.view.deviceBuffer) return;
+  if (data.type != VoxelType::Float32 || data.view.deviceMemory) return;
   const std::size_t bad = findNonFinite(data);
   if (bad < count) throw Error(what + ": voxel " + std::to_string(bad) + " is not finite, must be a number");
 }
