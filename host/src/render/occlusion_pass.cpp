@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/ambient_occlusion.hpp"
+#include "render/occlusion_pass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,13 +44,13 @@ void launchInParts(device::Device& device, const char* name, Kernel& kernel, std
 
 }  // namespace
 
-void AmbientOcclusion::drop() {
+void OcclusionPass::drop() {
   filled_.reset();
   grid_ = {};
   seen_ = Seen(device_, 0, "ambient occlusion");
 }
 
-void AmbientOcclusion::prepare(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
+void OcclusionPass::prepare(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
   fresh_ = false;
   if (scene.ambientOcclusion && filled_ && scene::sameOcclusion(*filled_, scene)) return;
   if (filled_) drop();
@@ -60,8 +60,8 @@ void AmbientOcclusion::prepare(const Scene& scene, const build::DeviceScene& dev
   fresh_ = true;
 }
 
-Cells AmbientOcclusion::addUp(const shared::OcclusionParams& params, const build::DeviceScene& deviceScene,
-                              float greatestRadius) {
+Cells OcclusionPass::addUp(const shared::OcclusionParams& params, const build::DeviceScene& deviceScene,
+                           float greatestRadius) {
   const cl::Program& program = device_.programs().get({"occlusion/density.cl", {}, {}});
   device::Kernel<shared::DensityParams, shared::int4, device::Buffer<shared::SceneSphere>,
                  device::Buffer<shared::ObjectData>, Cells>
@@ -83,7 +83,7 @@ Cells AmbientOcclusion::addUp(const shared::OcclusionParams& params, const build
   return cells;
 }
 
-void AmbientOcclusion::fill(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
+void OcclusionPass::fill(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
   const SphereExtent extent = extentOf(scene);
   if (extent.meanRadius <= 0.0) return;  // none is to be seen
   const shared::OcclusionParams params = planOcclusion(*scene.ambientOcclusion, extent);
@@ -108,7 +108,7 @@ void AmbientOcclusion::fill(const Scene& scene, const build::DeviceScene& device
   grid_ = params.grid;
 }
 
-std::optional<OcclusionStats> AmbientOcclusion::stats() const {
+std::optional<OcclusionStats> OcclusionPass::stats() const {
   if (!filled_) return std::nullopt;
   return OcclusionStats{seen_.bytes(), grid_.size.x, grid_.size.y, grid_.size.z, fresh_};
 }
