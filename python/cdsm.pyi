@@ -113,7 +113,8 @@ class Mesh:
     def __init__(self, *, name: str = ..., positions: Optional[Floats] = ..., normals: Optional[Floats] = ...,
                  triangles: Optional[Indices] = ..., revision: int = ..., material: Optional[Material] = ...,
                  world_from_object: ArrayLike = ..., interior_extinction: float = ..., interior_color: Vec3 = ...,
-                 interior_transmission: Vec3 = ..., casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
+                 interior_transmission: Vec3 = ..., casts: bool = ..., receives: bool = ...,
+                 weight: float = ...) -> None: ...
 
 class Spheres:
     name: str

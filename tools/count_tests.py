@@ -3,7 +3,8 @@
 """Counts the tests of a ctest run: count_tests.py REPORT.xml (ctest --output-junit).
 
 An entry that says how many cases it ran (GoogleTest, run_robust.py, a line "N passed, N failed") counts as these, any
-other as one. Prints the failed and skipped entries and, as the last line, "N passed, N failed". Exit status 0 if none failed."""
+other as one. Prints the failed and skipped entries and, as the last line, "N passed, N failed". Exit status 0 if none
+failed."""
 import re
 import sys
 import xml.etree.ElementTree

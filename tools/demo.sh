@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh Debian 12 to the demo's picture: installs what is missing, builds, renders to build/demo.png. Run again it
-# does what is left to do. Arguments go to `cdsm render`, e.g. --device 1:0.
+# From a fresh Debian 12 to the demo's picture: installs what is missing, builds, renders to build/demo.png. Run again
+# it does what is left to do. Arguments go to `cdsm render`, e.g. --device 1:0.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/tools/packages.sh"

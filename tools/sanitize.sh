@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Host code under the compiler's checks, in build-address and build-thread: bad accesses, leaks and undefined behaviour in
-# the unit tests and the tests of other people's OpenCL; races where engines work in several threads.
+# Host code under the compiler's checks, in build-address and build-thread: bad accesses, leaks and undefined behaviour
+# in the unit tests and the tests of other people's OpenCL; races where engines work in several threads.
 # Takes about as long as two builds. The last line is "N passed, N failed".
 # usage: sanitize.sh [address|thread]...    (both if none is named; needs what test.sh installs)
 set -euo pipefail

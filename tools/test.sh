@@ -11,11 +11,13 @@ report=$root/build/test_report.xml
 
 # A folder that demo.sh made has no tests yet.
 with_tests() {
-  grep -q '^CDSM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" || cmake -S "$root" -B "$root/build" -DCDSM_TESTS=ON >/dev/null
+  grep -q '^CDSM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" ||
+    cmake -S "$root" -B "$root/build" -DCDSM_TESTS=ON >/dev/null
 }
 
 prepare() {
-  { build_packages && test_packages; } | install_packages && configure -DCDSM_WARNINGS_AS_ERRORS=ON && with_tests && build
+  { build_packages && test_packages; } | install_packages &&
+    configure -DCDSM_WARNINGS_AS_ERRORS=ON && with_tests && build
 }
 
 if ! prepare; then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorted fragments of a light's view -> per texel where its light is stopped. CDSM_STOP: by what, LightStop with its depth
-// or depths, beginStop(), stopInSegment(), stopAtSurface(), isStopped() and storeStop().
+// Sorted fragments of a light's view -> per texel where its light is stopped. CDSM_STOP: by what, LightStop with its
+// depth or depths, beginStop(), stopInSegment(), stopAtSurface(), isStopped() and storeStop().
 #include CDSM_STOP
 
 /// A group per tile, an item per texel.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some of the spheres of a view that nothing gets past -> per pixel the depth of the nearest of them, per tile the farthest of its
-// pixels'; these walls -> which spheres they hide.
+// Some of the spheres of a view that nothing gets past -> per pixel the depth of the nearest of them, per tile the
+// farthest of its pixels'; these walls -> which spheres they hide.
 #include "build/sphere_walls.clh"
 
 /// Pixels that an outline made by another kernel may differ by: a wall is only where that surely has the pixel.

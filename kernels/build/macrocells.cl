@@ -4,7 +4,7 @@
 #include "shared/scene_data.h"
 
 /// A work item per cell: 0 if some value within its bounds has extinction, else 1. `solidBefore[i]` counts the table
-/// entries before i that are not 0; interpolation also touches the entry above the upper bound, unless that is an entry.
+/// entries before i that are not 0; interpolation also touches the entry above the upper bound, unless it is an entry.
 __kernel void classifyCells(CellParams params, __global const float2* bounds, __global const uint* solidBefore,
                             __global uchar* reach) {
   int cell = (int)get_global_id(0);

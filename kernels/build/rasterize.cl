@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles or spheres on the screen -> (coverage mask, owner) pairs in exactly sized lists, one per 8x8 tile of the view
-// [Knecht 2011, §3.1.1, §4.1.1]. The thesis's chunks of 64 pairs are replaced by counting first: no limit per tile.
-// countPairs -> (scan) -> fillPairs, each once for small primitives and once for large ones. CDSM_PRIMITIVE: what they
-// are, ScreenPrimitive and its Coverage.
+// Triangles or spheres on the screen -> (coverage mask, owner) pairs in exactly sized lists, one per 8x8 tile of the
+// view [Knecht 2011, §3.1.1, §4.1.1]. The thesis's chunks of 64 pairs are replaced by counting first: no limit per
+// tile. countPairs -> (scan) -> fillPairs, each once for small primitives and once for large ones. CDSM_PRIMITIVE: what
+// they are, ScreenPrimitive and its Coverage.
 #include CDSM_PRIMITIVE
 #include "build/coverage.clh"
 #include "build/screen_slot.clh"

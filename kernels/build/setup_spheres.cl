@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spheres of the scene -> spheres on the screen with their exact outlines. The rays of pixels (u, v) meet a sphere where
-// a quadratic of u and v says so: the distance of the ray from the centre, times the length of the ray's direction, is
-// at most the radius times that length. Around the centre's own pixel nothing in it cancels.
+// Spheres of the scene -> spheres on the screen with their exact outlines. The rays of pixels (u, v) meet a sphere
+// where a quadratic of u and v says so: the distance of the ray from the centre, times the length of the ray's
+// direction, is at most the radius times that length. Around the centre's own pixel nothing in it cancels.
 #include "build/sphere_walls.clh"
 
 /// a x^2 + 2 b x y + c y^2 + 2 d x + 2 e y + f <= 0: pixels (x, y) from the centre's that meet the sphere.
@@ -14,7 +14,7 @@ typedef struct Conic {
 /// Pixels that rounding may move an outline by.
 #define CDSM_OUTLINE_SLACK 0.01f
 
-/// One pixel to the side at the centre's depth is `u` or `v` in the world; views turn their rays or move them, not both.
+/// One pixel to the side at the centre's depth is `u` or `v` in the world; views turn rays or move them, not both.
 Conic conicOf(const ViewData* view, float2 pixel, float depth, float radius) {
   float3 dir = view->dir.xyz + pixel.x * view->dirU.xyz + pixel.y * view->dirV.xyz;
   float3 u = cross(view->originU.xyz + depth * view->dirU.xyz, dir);
@@ -83,9 +83,9 @@ bool besideView(const ViewData* view, float3 center, float radius) {
          beyond((float)view->height * view->pixelW - view->pixelV, center, radius);
 }
 
-/// A work item per sphere of the scene. None that is hidden, or lies behind the walls of its pixels, is set up. One smaller
-/// than params.leastRadius covers as many pixels as if it were not, but its rays still meet the sphere as it is, or are
-/// nearest to it where they miss it. Views are at most 2^16 tiles wide and high.
+/// A work item per sphere of the scene. None that is hidden, or lies behind the walls of its pixels, is set up. One
+/// smaller than params.leastRadius covers as many pixels as if it were not, but its rays still meet the sphere as it
+/// is, or are nearest to it where they miss it. Views are at most 2^16 tiles wide and high.
 __kernel void setupSpheres(SetupParams params, ViewData view, __global const SceneSphere* spheres,
                            __global const ObjectData* objects, __global const uchar* hidden,
                            __global const uint* depths, __global ScreenSphere* screen,

@@ -6,8 +6,10 @@
 
 /// A corner on its way to the screen: xy = pixel * w, z = depth, w as ViewData says; nearer is smaller depth.
 float4 cornerInView(const ViewData* view, float3 pointWorld) {
-  return (float4)(dot(view->pixelU.xyz, pointWorld) + view->pixelU.w, dot(view->pixelV.xyz, pointWorld) + view->pixelV.w,
-                  dot(view->depth.xyz, pointWorld) + view->depth.w, dot(view->pixelW.xyz, pointWorld) + view->pixelW.w);
+  return (float4)(dot(view->pixelU.xyz, pointWorld) + view->pixelU.w,
+                  dot(view->pixelV.xyz, pointWorld) + view->pixelV.w,
+                  dot(view->depth.xyz, pointWorld) + view->depth.w,
+                  dot(view->pixelW.xyz, pointWorld) + view->pixelW.w);
 }
 
 /// Distance to clip plane k, >= 0 inside: 0 near, 1-4 the guard band around the screen, where fixed point would end.
@@ -21,9 +23,10 @@ float clipDistance(float4 corner, int k, const ViewData* view) {
   }
 }
 
-/// Sutherland-Hodgman against one plane; `polygon` has room for 9 corners, returns the new number of corners. An edge is
-/// always cut from its inner to its outer end, so that both triangles at the edge get the same new corner. A triangle and
-/// five planes make 8 corners; more could only come of rounding in polygons that lie in a plane, whose area is 0.
+/// Sutherland-Hodgman against one plane; `polygon` has room for 9 corners, returns the new number of corners. An edge
+/// is always cut from its inner to its outer end, so that both triangles at the edge get the same new corner. A
+/// triangle and five planes make 8 corners; more could only come of rounding in polygons that lie in a plane, whose
+/// area is 0.
 int clipPolygon(float4* polygon, int count, int plane, const ViewData* view) {
   float4 clipped[9];
   int kept = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of each tile -> fragments of each pixel, sorted from near to far by full float depth, then by number
-// [Knecht 2011, §3.1.2, §4.1.2, with 64-bit keys instead of 16 + 16 bits]. CDSM_SPHERES: 1 if there are any in the view.
+// [Knecht 2011, §3.1.2, §4.1.2, with 64-bit keys instead of 16 + 16 bits]. CDSM_SPHERES: 1 if the view has any.
 #include "common/affine.clh"
 #include "common/sort.clh"
 #include "common/sphere.clh"
@@ -58,8 +58,8 @@ CDSM_INLINE uint fragmentsOf(ulong mask, uint owner, uint pixel) {
   return ((uint)(mask >> pixel) & 1u) << (CDSM_SPHERES ? owner / CDSM_TWICE_BIT & 1u : 0u);
 }
 
-/// A group per tile, an item per pixel. A pixel's range: `initialCount` slots for the objects that contain the eye (used
-/// by segments.clh for its list of entered objects), then its fragments. ranges[pixel] = (first slot, fragments).
+/// A group per tile, an item per pixel. A pixel's range: `initialCount` slots for the objects that contain the eye
+/// (used by segments.clh for its list of entered objects), then its fragments. ranges[pixel] = (first slot, fragments).
 __kernel void sortFragments(ViewData view, __global const ScreenTriangle* screen, __global const ScreenSphere* spheres,
                             __global const uint* tileStart, __global const uint* tileFragmentStart,
                             __global const ulong* masks, __global const uint* owners, __global ulong* fragments,

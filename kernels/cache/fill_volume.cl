@@ -15,8 +15,8 @@ CDSM_INLINE uint filledCells(int4 n, __global const uchar* cells, int x, int y, 
   return filled;
 }
 
-/// A group per macrocell, from params.firstCell on, an item per row of its voxels along x. Samples of a cell interpolate
-/// its own voxels and the first ones of the cells behind it; voxels that nobody interpolates stay as they are.
+/// A group per macrocell, from params.firstCell on, an item per row of its voxels along x. Samples of a cell
+/// interpolate its own voxels and the first ones of the cells behind it; voxels that nobody interpolates stay.
 __kernel void fillShadowVolume(FillParams params, __global ushort* shadowVoxels, __global const LightData* lights,
                                CDSM_TECHNIQUE_PARAMS, CDSM_SCENE_PARAMS) {
   CDSM_SCENE_ACCESS(scene);

@@ -50,8 +50,8 @@ void splatSlice(const Splat* s, int z, int4 level, int4 size, __global uint* cel
     }
 }
 
-/// A work item per sphere and slice: params.slices items of a sphere take its cells by their z in turn. `level`: the first
-/// one; cells must be 0 before.
+/// A work item per sphere and slice: params.slices items of a sphere take its cells by their z in turn. `level`: the
+/// first one; cells must be 0 before.
 __kernel void addSpheres(DensityParams params, int4 level, __global const SceneSphere* spheres,
                          __global const ObjectData* objects, __global uint* cells) {
   if (get_global_id(0) >= params.count) return;
@@ -69,7 +69,7 @@ __kernel void addSpheres(DensityParams params, int4 level, __global const SceneS
 /// 1 : 3 : 3 : 1 along an axis, in eighths.
 CDSM_INLINE uint joinWeight(int i) { return i == 0 || i == 3 ? 1u : 3u; }
 
-/// A work item per cell of a level, its border left out: the mean of 4 x 4 x 4 of the level below that weigh 1 : 3 : 3 : 1
+/// A work item per cell of a level, its border left out: the mean of 4 x 4 x 4 of the level below that weigh 1, 3, 3, 1
 /// along each axis: means of 2 x 2 x 2 alone would be seen as blocks.
 __kernel void joinCells(int4 below, int4 level, __global uint* cells) {
   int width = level.x - 2, height = level.y - 2;

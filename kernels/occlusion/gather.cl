@@ -53,9 +53,9 @@ CDSM_INLINE int3 cellOfNumber(uint number, int4 size) {
   return (int3)((int)(number % width), (int)(number / width % height), (int)(number / width / height));
 }
 
-/// A work item per cell from params.firstCell on. directions: eight sets, one for each of 2 x 2 x 2 cells, in turn. seen:
-/// x: mean transparency over the directions, y, z, w: slope of what a cosine-weighted hemisphere around a unit vector sees
-/// [Ramamoorthi & Hanrahan 2001, the first two bands]; 1 is 32767.
+/// A work item per cell from params.firstCell on. directions: eight sets, one for each of 2 x 2 x 2 cells, in turn.
+/// seen: x: mean transparency over the directions, y, z, w: slope of what a cosine-weighted hemisphere around a unit
+/// vector sees [Ramamoorthi & Hanrahan 2001, the first two bands]; 1 is 32767.
 __kernel void gatherOcclusion(OcclusionParams params, __global const float4* directions, __global const uint* cells,
                               __global short4* seen) {
   uint number = params.firstCell + (uint)get_global_id(0);
@@ -85,8 +85,8 @@ __kernel void gatherOcclusion(OcclusionParams params, __global const float4* dir
 /// What a cell that is full of spheres weighs against an empty one.
 #define CDSM_FULL_WEIGHT 0.001f
 
-/// A work item per cell from params.firstCell on: the mean of 3 x 3 x 3 cells that weigh 1 : 2 : 1 along each axis, which
-/// joins the eight sets of directions, and the more the emptier they are: surfaces see what is in front of them.
+/// A work item per cell from params.firstCell on: the mean of 3 x 3 x 3 cells that weigh 1 : 2 : 1 along each axis,
+/// which joins the eight sets of directions, and the more the emptier they are: surfaces see what is in front of them.
 __kernel void smoothOcclusion(OcclusionParams params, __global const uint* cells, __global const short4* rough,
                               __global short4* seen) {
   uint number = params.firstCell + (uint)get_global_id(0);

@@ -42,7 +42,8 @@ float seenDepth(float* transparency, const Ray* ray, SceneAccess scene, const Se
   return INFINITY;
 }
 
-SeenPoint firstSeen(const Ray* ray, SceneAccess scene, SegmentWalk* walk, const ProbeParams* params CDSM_VOLUME_PARAMS) {
+SeenPoint firstSeen(const Ray* ray, SceneAccess scene, SegmentWalk* walk,
+                    const ProbeParams* params CDSM_VOLUME_PARAMS) {
   SeenPoint p;
   p.seen = p.surface = p.at.farSide = false;
   p.at.bias = params->bias;

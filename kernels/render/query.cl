@@ -2,8 +2,8 @@
 // Transmittance from one light to given points: the engine without its renderer [INTERFACE, 4.6].
 #include "device/lookup.clh"
 
-/// A work item per point (three floats each). values: transmittance, CDSM_CHANNELS floats each, -1 where the point is not
-/// lit.
+/// A work item per point (three floats each). values: transmittance, CDSM_CHANNELS floats each, -1 where the point is
+/// not lit.
 __kernel void queryPoints(QueryParams params, __global const float* points, __global float* values,
                           CDSM_LOOKUP_PARAMS) {
   uint i = (uint)get_global_id(0);

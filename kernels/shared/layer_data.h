@@ -16,8 +16,8 @@ typedef struct ScreenTriangle {
 } ScreenTriangle;
 CDSM_SIZE(ScreenTriangle, 64);
 
-/// A sphere on the screen. Where all of it lies in front of the eye its outline is an ellipse: pixel centres (u, v) with
-/// y = v - outline.y are inside if |u - middle| <= sqrt(reach.z - 2 reach.y y - reach.x y^2),
+/// A sphere on the screen. Where all of it lies in front of the eye its outline is an ellipse: pixel centres (u, v)
+/// with y = v - outline.y are inside if |u - middle| <= sqrt(reach.z - 2 reach.y y - reach.x y^2),
 /// middle = outline.x - outline.z y - outline.w.
 typedef struct ScreenSphere {
   float4 sphere;     ///< xyz: centre - eye, w: radius, world units
@@ -29,7 +29,7 @@ typedef struct ScreenSphere {
 } ScreenSphere;
 CDSM_SIZE(ScreenSphere, 64);
 
-/// In a fragment's facing: its number is that of a sphere. In an owner of a coverage mask: its slot is that of a sphere.
+/// In a fragment's facing: its number is a sphere's. In an owner of a coverage mask: its slot is a sphere's.
 #define CDSM_SPHERE_BIT 0x80000000u
 /// In an owner of a coverage mask: each of its bits is two fragments.
 #define CDSM_TWICE_BIT 0x40000000u

@@ -38,7 +38,7 @@ typedef struct MapData {
   float nearDepth;                       ///< nothing in front of it attenuates
   uint face;                             ///< side of an omni light whose points are looked up here, or CDSM_FACE_ANY
   uint wideTable;                        ///< exact: 1: 32-bit entries in its table, 0: 16-bit ones
-  uint firstTile;                        ///< of this map in the depth scales of tiles, for formats of nodes that need them
+  uint firstTile;                        ///< of this map in the depth scales of tiles, for formats that need them
 } MapData;
 CDSM_SIZE(MapData, 208);
 

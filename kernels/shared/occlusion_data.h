@@ -5,8 +5,8 @@
 
 CDSM_SHARED_BEGIN
 
-/// Cubic cells around all spheres. Lengths in cells start at the grid's lowest corner; the middle of the first cell is at
-/// (0.5, 0.5, 0.5).
+/// Cubic cells around all spheres. Lengths in cells start at the grid's lowest corner; the middle of the first cell is
+/// at (0.5, 0.5, 0.5).
 typedef struct OcclusionGrid {
   float4 corner;  ///< xyz: world, w: edge of a cell in world units
   int4 size;      ///< cells along x, y, z; w: 1, or 0 where there is no ambient occlusion
@@ -17,7 +17,8 @@ CDSM_SIZE(OcclusionGrid, 32);
 #define CDSM_OCCLUSION_STEPS 32
 
 /// Density of the spheres in levels, each of cells twice as wide as those of the one before, with a border of one cell
-/// that stays empty. A cell holds the optical depth across an edge of the first level's cells, times CDSM_OCCLUSION_ONE.
+/// that stays empty. A cell holds the optical depth across an edge of the first level's cells, times
+/// CDSM_OCCLUSION_ONE.
 typedef struct OcclusionParams {
   OcclusionGrid grid;
   int4 levels[CDSM_OCCLUSION_LEVELS];   ///< cells along x, y, z with the border; w: number of the first cell

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene on the device: triangles and spheres in object space, objects with their matrices, media (volumes and interiors).
+// The scene on the device: triangles and spheres in object space, objects with their matrices, media (volumes and
+// interiors).
 #pragma once
 #include "shared/types.h"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the meshes, volumes and molecules of the scenes beside it in the folder generated/, in about half a minute and the
-same from run to run.
+"""Makes the meshes, volumes and molecules of the scenes beside it in the folder generated/, in about half a minute and
+the same from run to run.
 
 usage: make_data.py [NAME...]    (without names: all that is missing or older than the scripts)
 """
@@ -49,8 +49,8 @@ def plume(**settings):
 def ball_volume(path):
     """Two units wide, its bottom on y = 0.02."""
     edge = 2.0 / 128
-    volumes.write_nrrd(path, spheres.balls(128), (edge, edge, edge), (0.5 * edge - 1, 0.5 * edge + 0.02, 0.5 * edge - 1),
-                       "translucent balls")
+    volumes.write_nrrd(path, spheres.balls(128), (edge, edge, edge),
+                       (0.5 * edge - 1, 0.5 * edge + 0.02, 0.5 * edge - 1), "translucent balls")
 
 
 def nut(path):

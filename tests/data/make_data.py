@@ -58,11 +58,13 @@ def metaimage(kind, data_file, lines):
 
 PLACE = ["TransformMatrix = 0 1 0 -1 0 0 0 0 1", "Offset = 10 20 30", "ElementSpacing = 0.5 1 2"]
 write("local_u8.mha", metaimage("MET_UCHAR", "LOCAL", PLACE) + pack("<B", SMALL))
-write("beside_i16_big.mhd", metaimage("MET_SHORT", "beside_i16_big.raw", ["ElementByteOrderMSB = True", "HeaderSize = -1"]))
+write("beside_i16_big.mhd", metaimage("MET_SHORT", "beside_i16_big.raw",
+                                        ["ElementByteOrderMSB = True", "HeaderSize = -1"]))
 write("beside_i16_big.raw", b"some header" + pack(">h", SIGNED))
 write("beside_zlib_f32.mhd", metaimage("MET_FLOAT", "beside_zlib_f32.zraw", ["CompressedData = True"]))
 write("beside_zlib_f32.zraw", zlib.compress(pack("<f", [value / 4 for value in GRID])))
-write("local_zlib_u16.mha", metaimage("MET_USHORT", "LOCAL", ["CompressedData = True"]) + zlib.compress(pack("<H", GRID)))
+write("local_zlib_u16.mha", metaimage("MET_USHORT", "LOCAL", ["CompressedData = True"])
+      + zlib.compress(pack("<H", GRID)))
 write("local_i8.mha", metaimage("MET_CHAR", "LOCAL", []) + pack("<b", [value - 128 for value in SMALL]))
 write("local_i32.mha", metaimage("MET_INT", "LOCAL", []) + pack("<i", [value << 20 for value in SIGNED]))
 write("local_f64.mha", metaimage("MET_DOUBLE", "LOCAL", []) + pack("<d", [value / 10 for value in GRID]))
@@ -84,7 +86,8 @@ write("pixdim_u8.nii", nifti("<", 2, 8, 352, b"n+1\0") + bytes(4) + pack("<B", S
 write("sform_i16.nii.gz", zipped(nifti("<", 4, 16, 352, b"n+1\0", qform=1, sform=1) + bytes(4) + pack("<h", SIGNED)))
 write("qform_f32_big.hdr", nifti(">", 16, 32, 0, b"ni1\0", qform=1))
 write("qform_f32_big.img", pack(">f", [value / 4 for value in GRID]))
-write("time_u8.nii", nifti("<", 2, 8, 352, b"n+1\0", dim=(4, 3, 2, 4, 2, 1, 1, 1)) + bytes(4) + pack("<B", SMALL + SMALL))
+write("time_u8.nii", nifti("<", 2, 8, 352, b"n+1\0", dim=(4, 3, 2, 4, 2, 1, 1, 1)) + bytes(4)
+      + pack("<B", SMALL + SMALL))
 
 
 # --- raw voxels, named by size and type ---
@@ -123,10 +126,12 @@ def text64(*pieces):
 ZLIB = 'compressor="vtkZLibDataCompressor"'
 SKEW = 'Origin="10 20 30" Spacing="0.5 1 2" Direction="0 -1 0 1 0 0 0 0 1"'
 write("ascii_u16.vti", vti(data_array("UInt16", "ascii", "\n" + " ".join(map(str, GRID)) + "\n"), image=""))
-write("inline_i16_big.vti", vti(data_array("Int16", "binary", "\n  " + text64(counted(">I", pack(">h", SIGNED))) + "\n"),
+write("inline_i16_big.vti", vti(data_array("Int16", "binary",
+                                           "\n  " + text64(counted(">I", pack(">h", SIGNED))) + "\n"),
                                 attributes='byte_order="BigEndian"', image=SKEW))
 write("inline_zlib_f64.vti", vti(data_array("Float64", "binary", text64(
-    *blocks("<Q", pack("<d", [value / 10 for value in GRID]), 64))), attributes=f'header_type="UInt64" {ZLIB}', names=""))
+    *blocks("<Q", pack("<d", [value / 10 for value in GRID]), 64))),
+    attributes=f'header_type="UInt64" {ZLIB}', names=""))
 write("appended_f32.vti", vti(
     data_array("UInt8", "appended", more='offset="0"').replace('"grid"', '"other"') + data_array(
         "Float32", "appended", more='offset="28"'), '  <AppendedData encoding="raw">\n   _@DATA@\n  </AppendedData>\n',

@@ -21,10 +21,11 @@ FORCED_INLINE = "static inline __attribute__((always_inline))"
 FAULTS = [
     ("render/shade.cl", r"image\[(.+?)\] = ", r"image[(\1) + params.view.width] = ", "Invalid write",
      "volumesWithoutShadows"),
-    ("build/rasterize.cl", r"atomic_inc\(&tilePairs\[tile\]\);", r"++tilePairs[tile];", "race", "volumesWithoutShadows"),
+    ("build/rasterize.cl", r"atomic_inc\(&tilePairs\[tile\]\);", r"++tilePairs[tile];", "race",
+     "volumesWithoutShadows"),
     ("build/scan.cl", r"sums\[count\] = sum", r"sums[count + 1] = sum", "Invalid write", "volumesWithoutShadows"),
-    ("memory/tile_writer.clh", r"(reserveTile\(tile, shared, CDSM_MEMORY_WRITE_ARGS\);\n)  barrier\(.+\);", r"\1", "race",
-     "volumesInExactMaps"),
+    ("memory/tile_writer.clh", r"(reserveTile\(tile, shared, CDSM_MEMORY_WRITE_ARGS\);\n)  barrier\(.+\);", r"\1",
+     "race", "volumesInExactMaps"),
 ]
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Code in the documentation is code of the examples: check_snippets.py PAGE FOLDER_OF_EXAMPLES
 
-Each block of C++, OpenCL C or Python on the page must be in one of the examples, line by line. Prints those that are not; exit
-status 1 if there is one."""
+Each block of C++, OpenCL C or Python on the page must be in one of the examples, line by line. Prints those that
+are not; exit status 1 if there is one."""
 import pathlib
 import re
 import sys

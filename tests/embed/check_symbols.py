@@ -26,7 +26,8 @@ def documented(folder):
 
 def exported(library):
     """Names of what the library defines for others, demangled."""
-    said = subprocess.run(["nm", "-D", "--defined-only", "--demangle", library], capture_output=True, text=True, check=True)
+    said = subprocess.run(["nm", "-D", "--defined-only", "--demangle", library],
+                          capture_output=True, text=True, check=True)
     symbols = [line.split(" ", 2)[2] for line in said.stdout.splitlines()]
     return [symbol for symbol in symbols if "openvdb::" not in symbol]  # as tools/cmake/exports.map says
 

@@ -16,7 +16,8 @@ namespace {
 const char* const kText = R"(
 #include "common/medium.clh"
 /// An item per point of medium `number`.
-__kernel void extinctions(uint number, uint count, __global const float* points, __global float* values, CDSM_SCENE_PARAMS) {
+__kernel void extinctions(uint number, uint count, __global const float* points, __global float* values,
+                          CDSM_SCENE_PARAMS) {
   CDSM_SCENE_ACCESS(scene);
   uint i = (uint)get_global_id(0);
   if (i >= count) return;

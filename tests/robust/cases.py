@@ -415,14 +415,17 @@ MOLECULES = [
 ]
 
 ANIMATIONS = [
-    animation("an animated scene without --frames", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", [], 0, ("out.png",)),
+    animation("an animated scene without --frames", "", b"'light.key.position'", b"[[0, 4, 4, 4]]",
+              [], 0, ("out.png",)),
     animation("one frame", "", b"'light.key.position'", b"[[0, 4, 4, 4]]", ["--frames", "7"], 0, ("out.png",)),
     animation("some frames", "", b"'camera.fov'", b"[[0, 40], [9, 50]]",
               ["--frames", "9:11", "-o", "out_%03d.png"], 0, ("out_009.png", "out_010.png", "out_011.png"), NAMELESS),
     animation("frames without a name", "", b"'camera.fov'", b"[[0, 40], [9, 50]]",
               ["--frames", "0:1"], 0, ("scene_0000.png", "scene_0001.png"), NAMELESS),
-    animation("animation of an unknown key", "scene.toml:25:7: unknown key 'fvo' of camera", b"'camera.fvo'", b"[[0, 1]]"),
-    animation("animation of an unknown light", "unknown light 'fill', must be one of: key", b"'light.fill.color'", b"[]"),
+    animation("animation of an unknown key", "scene.toml:25:7: unknown key 'fvo' of camera",
+              b"'camera.fvo'", b"[[0, 1]]"),
+    animation("animation of an unknown light", "unknown light 'fill', must be one of: key",
+              b"'light.fill.color'", b"[]"),
     animation("animation of a text", "'technique' is a text", b"'shadows.technique'", b"[[0, 1]]"),
     animation("animation of nothing", "is no dotted key", b"''", b"[[0, 1]]"),
     animation("animation without rows", "scene.toml:26:10: frames must be", b"'camera.fov'", b"[]"),
@@ -584,7 +587,8 @@ USAGE = [
     usage("a suite without runs", "--runs: Value 0 not in range", ["bench", "demo", "--runs", "0"]),
     usage("half a run", "--runs", ["bench", "demo", "--runs", "0.5"]),
     usage("a suite without size", "--scale: Value 0 not in range", ["bench", "demo", "--scale", "0"]),
-    Case("a suite without scenes", "there is no such file; --scenes must name", ["bench", "chunks", "--scenes", "none"]),
+    Case("a suite without scenes", "there is no such file; --scenes must name",
+         ["bench", "chunks", "--scenes", "none"]),
     Case("a suite without its data", "'python3 ./papers/make_data.py' makes it", ["bench", "map-size", "--scenes", "."],
          {"papers/clustering/camera_b.toml": GOOD_SCENE.replace(b"closed.obj", b"../generated/cup.ply")}),
     Case("figures in no folder", "none/out.json", ["bench", "demo", "--json", "none/out.json"]),
@@ -605,5 +609,5 @@ FRAMES = [
     Case("frames without a format", "0.jpg", NAMELESS + ["--frames", "0:1", "-o", "%d.jpg"]),
 ]
 
-CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS + COMPARISONS + RUNS + VIEWS + USAGE
-         + FRAMES)
+CASES = (GOOD_RUNS + SCENES + ANIMATIONS + VOLUMES + FORMATS + PRESETS + MESHES + MOLECULES + QUERIES + EXPORTS
+         + COMPARISONS + RUNS + VIEWS + USAGE + FRAMES)

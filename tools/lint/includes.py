@@ -3,7 +3,8 @@
 """Checks that the includes of host/ point one way (docs/architecture.md): includes.py, in the repository root.
 
 Each folder may include itself, the public headers, shared structs and the folders listed for it, nothing else of the
-project. Only device/ and the public opencl.hpp include OpenCL. Prints each wrong include; exit status 1 if there is one."""
+project. Only device/ and the public opencl.hpp include OpenCL. Prints each wrong include; exit status 1 if there
+is one."""
 import pathlib
 import re
 import sys

@@ -17,12 +17,12 @@ import sys
 
 KERNELS = pathlib.Path("kernels")
 # Functions of joined .clh files that one entry does not call are no mistake.
-CLANG = ["clang", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-finclude-default-header", "-fsyntax-only", "-Wall", "-Werror",
-         "-Wno-unused-function", "-fno-caret-diagnostics", "-"]
+CLANG = ["clang", "-x", "cl", "-cl-std=CL1.2", "-Xclang", "-finclude-default-header", "-fsyntax-only", "-Wall",
+         "-Werror", "-Wno-unused-function", "-fno-caret-diagnostics", "-"]
 SLOTS_FILE = "generated/volume_slots.clh"
 SLOTS = [(), ("uchar",), ("uchar", "short", "float")]
 IMAGE_SCALES = {"uchar": "255.0f", "short": "65535.0f", "float": "1.0f"}
-# Macro of the generated file, function that reads buffers (with the voxel type as suffix), images, value without volumes.
+# Macro of the generated file, function that reads buffers (suffix: voxel type), images, value without volumes.
 FETCHES = [
     ("CDSM_VOLUME_VALUES", "value", "imageValue", "0.0f"),
     ("CDSM_VOLUME_BATCHES", "values", "imageValues", "(floatN)(0.0f)"),
@@ -63,7 +63,8 @@ def volume_slots(types, images):
     out = ["#define CDSM_VOLUME_PARAMS " + "".join(params),
            "#define CDSM_VOLUME_ARGS " + "".join(f", {name}" for name in names)]
     for macro, from_buffer, from_image, of_none in FETCHES:
-        calls = [f"{from_image}({name}, {IMAGE_SCALES[voxel]}, p)" if images else f"{from_buffer}_{voxel}({name}, size, p)"
+        calls = [f"{from_image}({name}, {IMAGE_SCALES[voxel]}, p)" if images
+                 else f"{from_buffer}_{voxel}({name}, size, p)"
                  for name, voxel in zip(names, types)]
         labels = [f"case {i}" for i in range(len(calls) - 1)] + ["default"]
         cases = " ".join(f"{label}: return {call};" for label, call in zip(labels, calls))
@@ -123,8 +124,9 @@ def variants(entry, chosen=None):
     reached(entry, chosen, seen)
     mentioned = set().union(*(mentioned_by(path) for path in seen - {SLOTS_FILE}))
     wanted = [name for name in CHOICES if name not in chosen and (name in seen or name in mentioned)]
-    includes = [name for name in wanted if name in ("CDSM_SPECTRUM", "CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_STOP",
-                                                    "CDSM_PRIMITIVE", "CDSM_MEMORY", "CDSM_NODE_FORMAT")]
+    includes = [name for name in wanted
+                if name in ("CDSM_SPECTRUM", "CDSM_CACHE", "CDSM_TECHNIQUE", "CDSM_MARCH", "CDSM_STOP",
+                            "CDSM_PRIMITIVE", "CDSM_MEMORY", "CDSM_NODE_FORMAT")]
     if not wanted:
         yield chosen
         return

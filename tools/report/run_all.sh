@@ -9,7 +9,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 python=${PYTHON:-python3}
 runs=${1:-5}
 options=("${@:2}")
-suites="demo map-size volume-size tolerance objects chunks memory techniques query stochastic spheres gallery clustering"
+suites=(demo map-size volume-size tolerance objects chunks memory techniques query stochastic spheres gallery
+        clustering)
 
 [ -x build/cdsm ] || { echo "error: there is no build/cdsm; bash tools/demo.sh builds it" >&2; exit 1; }
 "$python" -c "import numpy, matplotlib" || {
@@ -21,7 +22,7 @@ suites="demo map-size volume-size tolerance objects chunks memory techniques que
 
 mkdir -p build/bench
 results=()
-for suite in $suites; do
+for suite in "${suites[@]}"; do
   results+=("build/bench/$suite.json")
   seconds=$SECONDS
   build/cdsm bench "$suite" --runs "$runs" --json "build/bench/$suite.json" "${options[@]}" >"build/bench/$suite.txt"

@@ -13,9 +13,9 @@
 #include "device/device.hpp"
 #include "device/host_step.hpp"
 #include "device/mirror.hpp"
-#include "render/ambient_occlusion.hpp"
 #include "render/debug_pass.hpp"
 #include "render/map_reader.hpp"
+#include "render/occlusion_pass.hpp"
 #include "render/query_pass.hpp"
 #include "render/shade_pass.hpp"
 #include "render/shadow_volume.hpp"
@@ -110,7 +110,7 @@ class FrameState {
   render::ShadePass shade_;
   render::QueryPass query_;
   render::ShadowVolume cache_;
-  render::AmbientOcclusion occlusion_;
+  render::OcclusionPass occlusion_;
   render::DebugPass debug_;
   render::MapReader mapReader_;
   std::unique_ptr<technique::ShadowTechnique> technique_;

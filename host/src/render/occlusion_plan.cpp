@@ -26,7 +26,7 @@ constexpr double kStepPart = 0.5, kLeastGrowth = 0.25;
 /// the cone would be dark beside every wall.
 constexpr double kCellPart = 0.0625;
 
-int longestSide(const ::cdsm::AmbientOcclusion& settings, const SphereExtent& extent, double side) {
+int longestSide(const AmbientOcclusion& settings, const SphereExtent& extent, double side) {
   if (settings.resolution > 0) return settings.resolution;
   const double cells = side / (kRadiiPerCell * extent.meanRadius);
   return int(std::ceil(std::clamp(cells, double(kFewestCells), double(kMostCells))));
@@ -131,7 +131,7 @@ std::vector<shared::float4> evenDirections(int count) {
   return directions;
 }
 
-shared::OcclusionParams planOcclusion(const ::cdsm::AmbientOcclusion& settings, const SphereExtent& extent) {
+shared::OcclusionParams planOcclusion(const AmbientOcclusion& settings, const SphereExtent& extent) {
   const glm::dvec3 low(extent.bounds.low), high(extent.bounds.high), size = high - low;
   const double side = std::max(size.x, std::max(size.y, size.z)), edge = side / longestSide(settings, extent, side);
   shared::OcclusionParams params{};

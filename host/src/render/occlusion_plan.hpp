@@ -25,7 +25,7 @@ SphereExtent extentOf(const Scene& scene);
 std::vector<shared::float4> evenDirections(int count);
 
 /// Grid, levels and steps. `extent` is not empty.
-shared::OcclusionParams planOcclusion(const ::cdsm::AmbientOcclusion& settings, const SphereExtent& extent);
+shared::OcclusionParams planOcclusion(const AmbientOcclusion& settings, const SphereExtent& extent);
 
 /// Cells of all levels.
 std::size_t cellsOf(const shared::OcclusionParams& params);

@@ -27,9 +27,9 @@ float surfaceBias(const Scene& scene, const build::DeviceScene& deviceScene) {
 
 ShadedView ShadePass::run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
                           const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
-                          const ShadowVolume& cache, const AmbientOcclusion& occlusion) {
+                          const ShadowVolume& cache, const OcclusionPass& occlusion) {
   using ShadeKernel = device::Kernel<shared::ShadeParams, device::Buffer<std::uint64_t>, device::Buffer<shared::uint2>,
-                                     device::Buffer<shared::LightData>, AmbientOcclusion::Seen,
+                                     device::Buffer<shared::LightData>, OcclusionPass::Seen,
                                      device::Buffer<shared::float4>, device::Buffer<std::uint32_t>,
                                      shared::TechniqueParams, device::ArgumentList, device::ArgumentList>;
   const shared::ViewData& view = layers.view;

@@ -6,7 +6,7 @@
 
 #include "build/device_scene.hpp"
 #include "build/raster_pass.hpp"
-#include "render/ambient_occlusion.hpp"
+#include "render/occlusion_pass.hpp"
 #include "render/shadow_volume.hpp"
 #include "technique/shadow_technique.hpp"
 
@@ -26,7 +26,7 @@ class ShadePass {
 
   ShadedView run(const Scene& scene, const build::DeviceScene& deviceScene, build::Layers& layers,
                  const device::Buffer<shared::LightData>& lights, const technique::ShadowTechnique& technique,
-                 const ShadowVolume& cache, const AmbientOcclusion& occlusion);
+                 const ShadowVolume& cache, const OcclusionPass& occlusion);
 
  private:
   device::Device& device_;

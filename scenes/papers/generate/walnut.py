@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A walnut as a CT scanner would see it: wrinkled shell with a seam, papery septum, the folded kernel's two halves, air."""
+"""A walnut as a CT scanner would see it: wrinkled shell with a seam, papery septum, two folded halves, air."""
 import numpy as np
 
 from generate import turbulence

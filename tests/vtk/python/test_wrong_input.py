@@ -129,10 +129,11 @@ class WrongInput(unittest.TestCase):
 
     def test_it_is_told_of_conversions(self):
         image = pipelines.filled_image()
-        for convert, message in [(lambda: cdsm_vtk.transfer_function(None), "property is None, must be a vtkVolumeProp"),
-                                 (lambda: cdsm_vtk.volume(None, None), "image is None, must be a vtkImageData"),
-                                 (lambda: cdsm_vtk.volume(image, image), "scalars are .*, must be a vtkDataArray"),
-                                 (lambda: cdsm_vtk.mesh(image), "surface is .*, must be a vtkPolyData")]:
+        for convert, message in [
+                (lambda: cdsm_vtk.transfer_function(None), "property is None, must be a vtkVolumeProp"),
+                (lambda: cdsm_vtk.volume(None, None), "image is None, must be a vtkImageData"),
+                (lambda: cdsm_vtk.volume(image, image), "scalars are .*, must be a vtkDataArray"),
+                (lambda: cdsm_vtk.mesh(image), "surface is .*, must be a vtkPolyData")]:
             with self.assertRaisesRegex(TypeError, message):
                 convert()
 

@@ -16,13 +16,13 @@
 
 namespace cdsm::render {
 
-class AmbientOcclusion {
+class OcclusionPass {
  public:
   using Progress = std::function<void(const char* step, float done)>;
   /// Per cell what kernels/occlusion/gather.cl says.
   using Seen = device::Buffer<std::uint64_t>;
 
-  explicit AmbientOcclusion(device::Device& device) : device_(device), seen_(device, 0, "ambient occlusion") {}
+  explicit OcclusionPass(device::Device& device) : device_(device), seen_(device, 0, "ambient occlusion") {}
 
   /// Makes the grid anew if the spheres or the settings have changed; frees it if the scene asks for none. Throws
   /// DeviceError with the bytes needed if it does not fit.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/ambient_occlusion.hpp"
+#include "render/occlusion_pass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kCellsOfLaunch = 1u << 18;  ///< so that no launch keeps a display waiting
 constexpr std::size_t kMostSlices = 64;             ///< work items that share a sphere
+constexpr float kGathered = 0.9f;                   ///< done before cells are smoothed, of the whole
 constexpr const char* kStep = "ambient occlusion";
 
 using Cells = device::Buffer<std::uint32_t>;
@@ -28,15 +29,28 @@ Scene partOf(const Scene& scene) {
   return part;
 }
 
+/// Launches a kernel for one part of the cells after the other, each finished before the next; told(done) comes before
+/// each.
+template <class Kernel, class Told, class... Args>
+void launchInParts(device::Device& device, const char* name, Kernel& kernel, std::uint32_t count, const Told& told,
+                   shared::OcclusionParams params, const Args&... args) {
+  for (params.firstCell = 0; params.firstCell < count; params.firstCell = params.lastCell) {
+    told(float(params.firstCell) / float(count));
+    params.lastCell = std::min(count, params.firstCell + kCellsOfLaunch);
+    kernel({name, {params.lastCell - params.firstCell}, {64}}, params, args...);
+    device.finish();
+  }
+}
+
 }  // namespace
 
-void AmbientOcclusion::drop() {
+void OcclusionPass::drop() {
   filled_.reset();
   grid_ = {};
   seen_ = Seen(device_, 0, "ambient occlusion");
 }
 
-void AmbientOcclusion::prepare(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
+void OcclusionPass::prepare(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
   fresh_ = false;
   if (scene.ambientOcclusion && filled_ && scene::sameOcclusion(*filled_, scene)) return;
   if (filled_) drop();
@@ -46,8 +60,8 @@ void AmbientOcclusion::prepare(const Scene& scene, const build::DeviceScene& dev
   fresh_ = true;
 }
 
-Cells AmbientOcclusion::addUp(const shared::OcclusionParams& params, const build::DeviceScene& deviceScene,
-                              float greatestRadius) {
+Cells OcclusionPass::addUp(const shared::OcclusionParams& params, const build::DeviceScene& deviceScene,
+                           float greatestRadius) {
   const cl::Program& program = device_.programs().get({"occlusion/density.cl", {}, {}});
   device::Kernel<shared::DensityParams, shared::int4, device::Buffer<shared::SceneSphere>,
                  device::Buffer<shared::ObjectData>, Cells>
@@ -69,34 +83,32 @@ Cells AmbientOcclusion::addUp(const shared::OcclusionParams& params, const build
   return cells;
 }
 
-void AmbientOcclusion::fill(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
+void OcclusionPass::fill(const Scene& scene, const build::DeviceScene& deviceScene, const Progress& progress) {
   const SphereExtent extent = extentOf(scene);
   if (extent.meanRadius <= 0.0) return;  // none is to be seen
-  shared::OcclusionParams params = planOcclusion(*scene.ambientOcclusion, extent);
+  const shared::OcclusionParams params = planOcclusion(*scene.ambientOcclusion, extent);
   const Cells cells = addUp(params, deviceScene, float(extent.greatestRadius));
   const auto directions = device::Buffer<shared::float4>::fromHost(
       device_, evenDirections(scene.ambientOcclusion->directions), "directions of ambient occlusion");
   const auto count =
       std::uint32_t(params.grid.size.x) * std::uint32_t(params.grid.size.y) * std::uint32_t(params.grid.size.z);
-  seen_ = Seen(device_, count, "ambient occlusion");
+  Seen seen(device_, count, "ambient occlusion");
   const Seen rough(device_, count, "ambient occlusion, rough");
   const cl::Program& program = device_.programs().get({"occlusion/gather.cl", {}, {}});
   device::Kernel<shared::OcclusionParams, device::Buffer<shared::float4>, Cells, Seen> gatherOcclusion(
       device_, program, "gatherOcclusion");
   device::Kernel<shared::OcclusionParams, Cells, Seen, Seen> smoothOcclusion(device_, program, "smoothOcclusion");
-  for (params.firstCell = 0; params.firstCell < count; params.firstCell = params.lastCell) {
-    progress(kStep, float(params.firstCell) / float(count));
-    params.lastCell = std::min(count, params.firstCell + kCellsOfLaunch);
-    gatherOcclusion({"gather ambient occlusion", {params.lastCell - params.firstCell}, {64}}, params, directions, cells,
-                    rough);
-    device_.finish();
-  }
-  params.firstCell = 0;
-  smoothOcclusion({"smooth ambient occlusion", {count}, {64}}, params, cells, rough, seen_);
+  launchInParts(
+      device_, "gather ambient occlusion", gatherOcclusion, count,
+      [&](float done) { progress(kStep, kGathered * done); }, params, directions, cells, rough);
+  launchInParts(
+      device_, "smooth ambient occlusion", smoothOcclusion, count,
+      [&](float done) { progress(kStep, kGathered + (1.0f - kGathered) * done); }, params, cells, rough, seen);
+  seen_ = std::move(seen);
   grid_ = params.grid;
 }
 
-std::optional<OcclusionStats> AmbientOcclusion::stats() const {
+std::optional<OcclusionStats> OcclusionPass::stats() const {
   if (!filled_) return std::nullopt;
   return OcclusionStats{seen_.bytes(), grid_.size.x, grid_.size.y, grid_.size.z, fresh_};
 }
