@@ -129,7 +129,8 @@ class Spheres:
     weight: float
     def __init__(self, *, name: str = ..., centers: Optional[Floats] = ..., radii: Optional[Floats] = ...,
                  colors: Optional[Floats] = ..., revision: int = ..., material: Optional[Material] = ...,
-                 world_from_object: ArrayLike = ..., casts: bool = ..., receives: bool = ..., weight: float = ...) -> None: ...
+                 world_from_object: ArrayLike = ..., casts: bool = ..., receives: bool = ...,
+                 weight: float = ...) -> None: ...
 
 class TransferFunction:
     opacity: ArrayLike

@@ -62,10 +62,10 @@ void takeTimes(Bench& bench, Scene scene, double firstMs, VariantResult& result)
 }
 
 void writePictures(Bench& bench, const Image& image, const ShadowVariant& variant) {
-  io::writeImage(bench.folder.file(pictureName(variant)), image);
+  writeImage(bench.folder.file(pictureName(variant)), image);
   if (variant.name == referenceVariant().name) return;
-  io::writeImage(bench.folder.file(differenceName(variant)),
-                 io::differencePicture(image, bench.reference, kDifferenceFactor));
+  writeImage(bench.folder.file(differenceName(variant)),
+             io::differencePicture(image, bench.reference, kDifferenceFactor));
 }
 
 void measure(Bench& bench, VariantResult& result) {

@@ -65,7 +65,7 @@ void renderTo(const std::string& path, const RenderOptions& options, SceneRun& r
   const Image image = renderWith(options, run);
   {
     const device::HostStep step = run.step("write image");
-    io::writeImage(path, image);
+    writeImage(path, image);
   }
   const std::optional<ViewStats>& view = run.engine().stats().view;
   if (view && view->scale) std::cout << path << ": " << view->name << " from 0 to " << *view->scale << std::endl;

@@ -20,7 +20,7 @@ Scene rowOfSpheres() {
   scene.shadows.technique = "none";
   scene.image.width = scene.image.height = 32;
   scene.image.ambient = glm::vec3(1.0f);
-  SphereData data;
+  reference::SphereParts data;
   for (int i = 0; i < 8; ++i) {
     data.centers.emplace_back(0.0f, 0.0f, 0.5f * float(i) - 1.75f);
     data.radii.push_back(0.5f);

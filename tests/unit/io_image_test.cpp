@@ -26,7 +26,7 @@ TEST(ImageFile, ExrKeepsEveryBitAndAlpha) {
                      {4, 5, 6, 0.5f},
                      {7, 8, 9, 1},
                      {0, 0, 0, 0}}};
-  io::writeImage(folder.path("a.exr"), image);
+  writeImage(folder.path("a.exr"), image);
   const Image read = io::readImage(folder.path("a.exr"));
   EXPECT_EQ(read.width, 2);
   EXPECT_EQ(read.height, 3);
@@ -37,8 +37,8 @@ TEST(ImageFile, PngFollowsTheSrgbCurve) {
   const test::TemporaryFolder folder;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   // 0.5 -> 188, 0.0031308 -> 10, 0.001 -> 3 (linear part), 0.21586 -> 128; clamped outside, NaN is black.
-  io::writeImage(folder.path("a.png"),
-                 row({{0.5f, 0.0031308f, 0.001f, 0.3f}, {0.21586f, -1.0f, 7.0f, 0.0f}, {1.0f, 0.0f, nan, 1.0f}}));
+  writeImage(folder.path("a.png"),
+             row({{0.5f, 0.0031308f, 0.001f, 0.3f}, {0.21586f, -1.0f, 7.0f, 0.0f}, {1.0f, 0.0f, nan, 1.0f}}));
   const Image read = io::readImage(folder.path("a.png"));
   const int expected[3][3] = {{188, 10, 3}, {128, 0, 255}, {255, 0, 0}};
   for (int pixel = 0; pixel < 3; ++pixel)
@@ -54,15 +54,15 @@ TEST(ImageFile, SameImageSameBytes) {
   const test::TemporaryFolder folder;
   for (const char* ending : {".png", ".exr"}) {
     const Image image = row({{0.5f, 0.2f, 0.1f, 0.3f}, {0, 1, 2, 1}});
-    io::writeImage(folder.path(std::string("a") + ending), image);
-    io::writeImage(folder.path(std::string("b") + ending), image);
+    writeImage(folder.path(std::string("a") + ending), image);
+    writeImage(folder.path(std::string("b") + ending), image);
     EXPECT_EQ(readBytes(folder.path(std::string("a") + ending)), readBytes(folder.path(std::string("b") + ending)));
   }
 }
 
 TEST(ImageFile, ReplacesAnEarlierFileAndLeavesNothingElse) {
   const test::TemporaryFolder folder;
-  io::writeImage(folder.write("a.png", "old"), row({glm::vec4(1.0f)}));
+  writeImage(folder.write("a.png", "old"), row({glm::vec4(1.0f)}));
   EXPECT_EQ(io::readImage(folder.path("a.png")).pixels[0], glm::vec4(1.0f));
   EXPECT_EQ(folder.files(), 1u);
 }
@@ -70,8 +70,8 @@ TEST(ImageFile, ReplacesAnEarlierFileAndLeavesNothingElse) {
 TEST(ImageFile, AFailingWriteLeavesTheEarlierFile) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.exr", "old");
-  expectError([&] { io::writeImage(path, Image{2, 2, {glm::vec4(0.0f)}}); }, "2 x 2 with 1 pixels");
-  expectError([&] { io::writeImage(path, Image{}); }, "cannot be written");
+  expectError([&] { writeImage(path, Image{2, 2, {glm::vec4(0.0f)}}); }, "2 x 2 with 1 pixels");
+  expectError([&] { writeImage(path, Image{}); }, "cannot be written");
   EXPECT_EQ(readBytes(path), "old");
   EXPECT_EQ(folder.files(), 1u);
 }
@@ -80,7 +80,7 @@ TEST(ImageFile, AWriterThatFailsHalfwayLeavesTheEarlierFile) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.png", "old");
   // libpng refuses more than a million columns, when the temporary file is there already.
-  expectError([&] { io::writeImage(path, row(std::vector<glm::vec4>(1000001))); }, "cannot be written");
+  expectError([&] { writeImage(path, row(std::vector<glm::vec4>(1000001))); }, "cannot be written");
   EXPECT_EQ(readBytes(path), "old");
   EXPECT_EQ(folder.files(), 1u);
 }
@@ -90,7 +90,7 @@ TEST(ImageFile, PathsThatCannotBeWritten) {
   std::filesystem::create_directory(folder.path("folder.png"));
   const auto refused = [](const std::string& path, const std::string& part) {
     expectError([&] { io::checkImagePath(path); }, part);
-    expectError([&] { io::writeImage(path, row({glm::vec4(0.0f)})); }, part);
+    expectError([&] { writeImage(path, row({glm::vec4(0.0f)})); }, part);
   };
   refused(folder.path("a.jpg"), ".png or .exr");
   refused(folder.path("a"), ".png or .exr");

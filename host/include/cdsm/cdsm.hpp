@@ -53,6 +53,10 @@ struct Image {
   std::vector<glm::vec4> pixels;
 };
 
+/// Writes an image in the format that the path's ending names; an earlier file stays if that fails. .png: clamped to
+/// [0, 1], sRGB, rounded to 8 bits, without alpha; .exr: linear floats R G B A. Throws Error.
+CDSM_API void writeImage(const std::string& path, const Image& image);
+
 /// Of the light, at a point.
 struct Transmittance {
   std::uint8_t lit;     ///< 0: outside of a spot light's cone

@@ -83,14 +83,6 @@ std::vector<std::uint8_t> srgbPixels(const Image& image) {
   return bytes;
 }
 
-void writeImage(const std::string& path, const Image& image) {
-  const Format format = formatOf(path);
-  checkImage(path, image);
-  AtomicFile file(path);
-  writeTo(file.temporaryPath(), path, image, format);
-  file.commit();
-}
-
 void checkImagePath(const std::string& path) {
   formatOf(path);
   checkOutputPath(path);
@@ -112,3 +104,11 @@ Image readImage(const std::string& path) {
 }
 
 }  // namespace cdsm::io
+
+void cdsm::writeImage(const std::string& path, const Image& image) {
+  const io::Format format = io::formatOf(path);
+  io::checkImage(path, image);
+  io::AtomicFile file(path);
+  io::writeTo(file.temporaryPath(), path, image, format);
+  file.commit();
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In: an image of linear colours. Out: a .png (sRGB, 8 bit, RGB) or .exr (linear float, R G B A), whole or not at all.
+// Images of linear colours and .png (sRGB, 8 bit, RGB) or .exr (linear float, R G B A) files. They are written by
+// cdsm::writeImage().
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,6 @@
 #include <cdsm/cdsm.hpp>
 
 namespace cdsm::io {
-
-/// Writes the image in the format that the path's ending names; an earlier file stays if that fails. PNG: clamped to
-/// [0, 1], rounded to 8 bits, without alpha. Throws Error.
-void writeImage(const std::string& path, const Image& image);
 
 /// What a .png of the image holds: 3 bytes per pixel.
 std::vector<std::uint8_t> srgbPixels(const Image& image);
