@@ -218,8 +218,12 @@ class _Filter(VTKPythonAlgorithmBase):
         return self._volume
 
     def _meshes_of(self, surfaces):
-        self._meshes = {s.GetMTime(): self._meshes.get(s.GetMTime()) or mesh(s) for s in surfaces}
-        meshes = [m for m in (self._meshes[s.GetMTime()] for s in surfaces) if m]
+        def key(surface):  # points move without a new time when they become more
+            points = surface.GetPoints()
+            return surface.GetMTime(), points and points.GetNumberOfPoints() and points.GetVoidPointer(0)
+
+        self._meshes = {key(s): self._meshes.get(key(s)) or mesh(s) for s in surfaces}
+        meshes = [m for m in (self._meshes[key(s)] for s in surfaces) if m]
         for number, each in enumerate(meshes):
             each.name, each.material = f"surface {number}", cdsm.Material(opacity=self._surface_opacity)
         return meshes

@@ -233,9 +233,48 @@ TEST(WrongArrays, AreRefusedAndTheEngineStaysUsable) {
   nowhere.normals = Array<glm::vec3>::view(nullptr, nowhere.positions.size());
   const auto right = scene.meshes.back().data;
   scene.meshes.back().data = std::make_shared<MeshData>(nowhere);
-  says("memory at null, must point to its positions, normals and triangles");
+  says("normals show memory at null, must point to ");
+  nowhere.normals = Array<glm::vec3>::view(mesh.normals.data(), nowhere.positions.size(), 3);
+  scene.meshes.back().data = std::make_shared<MeshData>(nowhere);
+  says("normals of 12 bytes lie at a stride of 3 bytes, must be at least as many or 0");
   scene.meshes.back().data = right;
   expectAsNew(engine, scene);
+}
+
+TEST(WrongArrays, ThatMeshesShareHaveOneRevision) {
+  Scene scene = sceneOf(ball(), atoms());
+  scene.meshes.push_back(scene.meshes.back());
+  scene.meshes.back().name = "twin";
+  scene.meshes.back().revision = 3;
+  Engine engine;
+  EXPECT_NE(errorOf([&] { engine.prepare(scene); }).find("'twin' with the same data the revision 3, must be the same"),
+            std::string::npos);
+  scene.meshes.back().revision = 0;
+  expectAsNew(engine, scene);
+}
+
+/// Not a change that counts, but one that must not lead out of the arrays.
+TEST(WrongArrays, WrittenWithoutAWordAreFoundWhenReadAgain) {
+  MeshParts mesh = ball();
+  Scene scene = sceneOf(shown(mesh), atoms());
+  scene.shadows.technique = "shadow-rays";
+  Engine engine;
+  engine.prepare(scene);
+  mesh.triangles[7].x = 0x7fffffff;
+  scene.meshes.back().worldFromObject[3].x += 0.1f;
+  EXPECT_NE(errorOf([&] { engine.prepare(scene); }).find("triangle 7 has the index 2147483647"), std::string::npos);
+  mesh.triangles[7] = ball().triangles[7];
+  expectAsNew(engine, scene);
+}
+
+TEST(WrongArrays, AreNotCountedThrough) {
+  Scene scene = sceneOf(ball(), atoms());
+  const float radius = 0.1f;
+  const glm::vec3 center(0.0f);
+  const std::size_t many = std::size_t(1) << 40;
+  scene.spheres.back().data = std::make_shared<SphereData>(
+      SphereData{Array<glm::vec3>::view(&center, many, 0), Array<float>::view(&radius, many, 0), {}});
+  EXPECT_NE(errorOf([&] { Engine().prepare(scene); }).find("must be below 1073741824"), std::string::npos);
 }
 
 }  // namespace

@@ -115,6 +115,19 @@ TEST(VolumeImages, OfOtherKindsAreRefusedWithARemedy) {
   const auto resized = opencl::volumeData(right(), data.objectFromIndex);
   resized->size.x += 1;
   EXPECT_NE(prepared(resized).find("must have 14 x 11 x 12"), std::string::npos) << prepared(resized);
+  const auto retyped = opencl::volumeData(right(), data.objectFromIndex);
+  retyped->type = VoxelType::Int8;  // the same bytes, seen as others
+  VolumeData wanted = data;
+  wanted.type = VoxelType::Int8;
+  const auto points = somePoints(100);
+  for (const char* fetch : {"buffer", "image"}) {
+    EngineOptions options;
+    options.fetch = fetch;
+    Engine a = opencl::makeEngine(given.place(), options), b = opencl::makeEngine(given.place(), options);
+    a.prepare(sceneOf(retyped));
+    b.prepare(sceneOf(std::make_shared<VolumeData>(wanted)));
+    EXPECT_EQ(answers(a, points), answers(b, points)) << fetch;
+  }
   EXPECT_EQ(prepared(opencl::volumeData(right(), data.objectFromIndex)), "");
   EXPECT_EQ(answers(engine, somePoints(50)), answers(cloudScene(), somePoints(50)));
 }

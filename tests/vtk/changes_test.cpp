@@ -111,6 +111,18 @@ TEST(Changes, pointsOfSurfacesStayInPlace) {
   for (std::size_t i = 0; i < copied->positions.size(); ++i) EXPECT_EQ(copied->positions[i], inPlace->positions[i]);
 }
 
+TEST(Changes, ofPlacesOfPointsAreSeen) {
+  Pipeline p;
+  const void* const before = p.surface->GetPoints()->GetVoidPointer(0);
+  const vtkMTimeType time = p.surface->GetMTime();
+  p.surface->GetPoints()->GetData()->Resize(1 << 20);
+  ASSERT_NE(p.surface->GetPoints()->GetVoidPointer(0), before);
+  ASSERT_EQ(p.surface->GetMTime(), time);
+  p.filter->SetLightDirection(0.1, -1, 0);
+  p.filter->Update();
+  EXPECT_LT(p.lowest(), 0.5f);
+}
+
 TEST(Changes, arrayIsKeptUntilDropped) {
   Pipeline p;
   vtkDataArray* const scalars = p.image->GetPointData()->GetScalars();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include <vtkPoints.h>
 #include <cdsm/vtk/convert.hpp>
 
 namespace cdsm::vtk {
@@ -33,9 +34,10 @@ std::vector<Mesh> KnownInputs::meshes(const std::vector<vtkPolyData*>& surfaces)
   std::vector<Mesh> meshes;
   for (vtkPolyData* const surface : surfaces) {
     const vtkMTimeType modified = surface->GetMTime();
+    const void* const points = surface->GetPoints() ? surface->GetPoints()->GetVoidPointer(0) : nullptr;
     const auto known = std::find_if(surfaces_.begin(), surfaces_.end(),
-                                    [modified](const Surface& s) { return s.modified == modified; });
-    next.push_back({modified, known == surfaces_.end() ? meshData(surface) : known->data});
+                                    [&](const Surface& s) { return s.modified == modified && s.points == points; });
+    next.push_back({modified, points, known == surfaces_.end() ? meshData(surface) : known->data});
     if (!next.back().data) continue;
     meshes.emplace_back();
     meshes.back().name = "surface " + std::to_string(next.size() - 1);

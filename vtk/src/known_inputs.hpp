@@ -23,6 +23,7 @@ class KnownInputs {
  private:
   struct Surface {
     vtkMTimeType modified;  ///< of which VTK gives each only once
+    const void* points;     ///< which may move without one, when they become more
     std::shared_ptr<const MeshData> data;
   };
 

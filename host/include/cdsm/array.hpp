@@ -17,10 +17,11 @@ namespace cdsm {
 /// Values that cannot be changed through it, in memory of its own or where somebody else has them. Copies share the
 /// memory.
 ///
-/// Memory that an array only shows is read during calls that are given a scene with it. An engine keeps the array, and
-/// with it the owner, from the first such call until a call with a scene that does not have it, Engine::drop() or its
-/// own end. Without an owner the memory must stay where it is for as long. Nobody may write to it during a call; what
-/// is written between calls counts once `revision` of the Mesh or the Spheres has changed.
+/// Memory that an array only shows is read during an engine's calls, those without a scene included. An engine keeps
+/// the array, and with it the owner, from the first call with a scene that has it until a call with one that does not
+/// has succeeded, Engine::drop() or its own end. Without an owner the memory must stay where it is for as long. Nobody
+/// may write to it during a call; after writing to it the next call must give a scene in which all Mesh or Spheres that
+/// have it have another `revision` than before.
 template <class T>
 class Array {
   static_assert(std::is_trivially_copyable_v<T>, "values are read from bytes");
@@ -32,11 +33,12 @@ class Array {
   Array(std::vector<T> values) {
     const auto owner = std::make_shared<const std::vector<T>>(std::move(values));
     *this = view(owner->data(), owner->size(), sizeof(T), owner);
+    isView_ = false;
   }
   Array(std::initializer_list<T> values) : Array(std::vector<T>(values)) {}
 
   /// `count` values in host memory, the first at `first`, which needs no alignment. `stride`: bytes from a value to the
-  /// next; negative ones run backwards, 0 says that there is one value for all. `owner` of the memory may be empty.
+  /// next, at least sizeof(T) or as much backwards, or 0: one value for all. `owner` of the memory may be empty.
   static Array view(const void* first, std::size_t count, std::ptrdiff_t stride = sizeof(T),
                     std::shared_ptr<const void> owner = {}) {
     Array array;
@@ -44,6 +46,7 @@ class Array {
     array.count_ = count;
     array.stride_ = stride;
     array.owner_ = std::move(owner);
+    array.isView_ = true;
     return array;
   }
 
@@ -55,8 +58,12 @@ class Array {
     return value;
   }
 
+  /// Whether the memory is somebody else's.
+  bool isView() const { return isView_; }
   /// False for a view of memory that is not there.
   bool isSomewhere() const { return first_ || empty(); }
+  /// Bytes from a value to the next.
+  std::ptrdiff_t stride() const { return stride_; }
   /// The values, if they lie side by side and are aligned; else null.
   const T* sideBySide() const {
     const bool aligned = reinterpret_cast<std::uintptr_t>(first_) % alignof(T) == 0;
@@ -69,9 +76,10 @@ class Array {
     using iterator_category = std::input_iterator_tag;
     using value_type = T;
     using difference_type = std::ptrdiff_t;
-    using pointer = const T*;
+    using pointer = void;
     using reference = T;
 
+    Iterator() = default;
     Iterator(const Array& array, std::size_t index) : array_(&array), index_(index) {}
     T operator*() const { return (*array_)[index_]; }
     Iterator& operator++() {
@@ -87,8 +95,8 @@ class Array {
     bool operator!=(const Iterator& other) const { return index_ != other.index_; }
 
    private:
-    const Array* array_;
-    std::size_t index_;
+    const Array* array_ = nullptr;
+    std::size_t index_ = 0;
   };
 
   Iterator begin() const { return {*this, 0}; }
@@ -99,6 +107,7 @@ class Array {
   std::size_t count_ = 0;
   std::ptrdiff_t stride_ = sizeof(T);
   std::shared_ptr<const void> owner_;
+  bool isView_ = false;
 };
 
 }  // namespace cdsm

@@ -113,7 +113,7 @@ class CDSM_API Engine {
 
   /// Transmittances of `count` points into `values`, channels() for each, -1 where the point is not lit. Both arrays
   /// are the caller's; where the device shares the host's memory they are used in place. Throws Error for a point that
-  /// is not finite, and if no scene has been given or the last call failed: then prepare() comes first.
+  /// is not finite, and if no scene has been given or the last call with one failed: then prepare() comes first.
   void transmittance(const std::string& light, const glm::vec3* points, std::size_t count, float* values);
 
   /// Values of a point in that array: 1, or red, green and blue where the scene's shadows.transmittance is rgb. Throws

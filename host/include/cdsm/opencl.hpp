@@ -38,8 +38,8 @@ CDSM_API std::shared_ptr<VolumeData> volumeData(cl_mem buffer, VoxelType type, c
 
 /// Voxels of a 3D image of one channel (CL_R, CL_LUMINANCE, CL_INTENSITY), whose integers or floats are the values,
 /// also of a normalized format. Devices that read volumes from images read it where it is if it is CL_R and
-/// CL_UNORM_INT8, CL_UNORM_INT16 or CL_FLOAT; else its voxels are copied, once for each Volume::revision. It is
-/// retained as a buffer is. Throws Error for images of other kinds.
+/// CL_UNORM_INT8, CL_UNORM_INT16 or CL_FLOAT, once they have looked at a copy; else they use a copy, one for each
+/// Volume::revision. It is retained as a buffer is. Throws Error for images of other kinds.
 CDSM_API std::shared_ptr<VolumeData> volumeData(cl_mem image, const glm::mat4& objectFromIndex = glm::mat4(1.0f));
 
 /// Points in a buffer, x y z each.

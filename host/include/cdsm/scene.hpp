@@ -138,7 +138,7 @@ struct Spheres {
   int material = 0;                 ///< index into Scene::materials
   glm::mat4 worldFromObject{1.0f};  ///< scales all axes alike
   ShadowRole shadow;
-  std::uint64_t revision = 0;  ///< another one than before says that the arrays of the same data have changed
+  std::uint64_t revision = 0;  ///< of the data: another one than before says that its arrays have changed
 };
 
 enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
@@ -147,9 +147,10 @@ enum class VoxelType { UInt8, Int8, UInt16, Int16, Float32 };
 CDSM_API std::size_t voxelBytes(VoxelType type);
 
 /// Voxels that lie in somebody else's memory. An engine keeps the VolumeData, and with it the owner, from the first
-/// call with a scene that has it until a call with a scene that does not, Engine::drop() or its own end. Without an
-/// owner the memory must stay where it is for as long. Nobody may write to it during a call, nor while work that a call
-/// has left running on the device uses it; what is written between calls counts once Volume::revision has changed.
+/// call with a scene that has it until a call with one that does not has succeeded, Engine::drop() or its own end.
+/// Without an owner the memory must stay where it is for as long. Nobody may write to it during a call, nor while work
+/// that a call has left running on the device uses it; after writing to it the next call must give a scene in which all
+/// Volumes that have it have another `revision` than before.
 struct VoxelView {
   const void* data = nullptr;  ///< host memory: the voxel of index (0, 0, 0)
   /// Bytes from a voxel to the next one along x, y, z; negative ones run backwards. All 0: side by side, x fastest,
@@ -190,7 +191,7 @@ struct TransferFunction {
 struct Volume {
   std::string name;
   std::shared_ptr<const VolumeData> data;
-  std::uint64_t revision = 0;  ///< another one than before says that the voxels of the same data have changed
+  std::uint64_t revision = 0;  ///< of the data: another one than before says that its voxels have changed
   glm::mat4 worldFromObject{1.0f};
   int boundary = -1;  ///< index into Scene::meshes of a closed mesh that cuts the volume; -1: its own box
   TransferFunction transfer;

@@ -5,6 +5,8 @@
 
 #include <cdsm/error.hpp>
 
+#include "scene/range.hpp"
+
 namespace cdsm::build {
 
 namespace {
@@ -16,6 +18,7 @@ void uploadVectors(device::Buffer<float>& buffer, const Array<glm::vec3>& vector
   std::vector<glm::vec3> packed;
   const glm::vec3* first = vectors.sideBySide();
   if (!first) {
+    packed.reserve(vectors.size());
     packed.assign(vectors.begin(), vectors.end());
     first = packed.data();
   }
@@ -51,7 +54,7 @@ void Geometry::makeRoom(const std::vector<ObjectTriangles>& objects) {
     vertices += vertexRanges_.back().count;
     triangles += triangleRanges_.back().count;
   }
-  if (vertices > 0xffffffffu || triangles > 0x3fffffffu)
+  if (vertices >= scene::kMostVertices || triangles >= scene::kMostPrimitives)
     throw Error("the scene has more than 2^30 triangles or 2^32 vertices, which their numbers cannot hold");
   triangles_ = {};
   positions_ = {};

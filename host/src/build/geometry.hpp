@@ -33,8 +33,8 @@ class Geometry {
  public:
   explicit Geometry(device::Device& device) : device_(device) {}
 
-  /// Uploads the triangles of the objects, in their order, but for those that are there already. If as many vertices
-  /// and triangles come in the same places as before, that is all but what has changed.
+  /// Uploads the triangles of the objects, in their order. If as many vertices and triangles come in the same places as
+  /// before, only those of objects that have changed.
   void update(std::vector<ObjectTriangles> objects);
 
   /// Triangles of an object.

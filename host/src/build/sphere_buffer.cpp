@@ -6,6 +6,8 @@
 
 #include <cdsm/error.hpp>
 
+#include "scene/range.hpp"
+
 namespace cdsm::build {
 
 void SphereBuffer::update(const std::vector<Spheres>& sets, std::size_t firstObject) {
@@ -32,7 +34,8 @@ void SphereBuffer::makeRoom(const std::vector<Held>& sets) {
     ranges_.push_back({count, set.data->centers.size()});
     count += ranges_.back().count;
   }
-  if (count > 0x3fffffffu) throw Error("the scene has " + std::to_string(count) + " spheres, must be below 2^30");
+  if (count >= scene::kMostPrimitives)
+    throw Error("the scene has " + std::to_string(count) + " spheres, must be below 2^30");
   spheres_ = {};
   spheres_ = {device_, count, "spheres"};
 }

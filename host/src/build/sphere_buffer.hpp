@@ -18,8 +18,8 @@ class SphereBuffer {
  public:
   explicit SphereBuffer(device::Device& device) : device_(device) {}
 
-  /// Uploads the spheres, in their order, but for sets that are there already. If as many come in the same places as
-  /// before, that is the sets that have changed. `firstObject`: number of the first set.
+  /// Uploads the spheres, in their order. If as many come in the same places as before, only the sets that have
+  /// changed. `firstObject`: number of the first set.
   void update(const std::vector<Spheres>& sets, std::size_t firstObject);
 
   const PrimitiveRange& rangeOf(std::size_t set) const { return ranges_[set]; }

@@ -59,9 +59,9 @@ device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data
                                   const device::Buffer<std::byte>& buffer) {
   const device::VolumeTexture::Size size = sizeOf(data);
   const cl_channel_type channel = imageFormat(data.type).channel;
-  const auto image = givenImage(device, data);
-  if (image && isReadInPlace(*image, channel)) return device::VolumeTexture::adopt(*image);
   const bool isSigned = data.type == VoxelType::Int8 || data.type == VoxelType::Int16;
+  const auto image = givenImage(device, data);
+  if (image && !isSigned && isReadInPlace(*image, channel)) return device::VolumeTexture::adopt(*image);
   if (!isSigned) return device::VolumeTexture(device, channel, size, buffer, "voxels");
   std::vector<std::byte> voxels = data.view.deviceMemory ? buffer.download() : scene::packedVoxels(data);
   shift(voxels, voxelBytes(data.type));
@@ -69,14 +69,6 @@ device::VolumeTexture makeTexture(device::Device& device, const VolumeData& data
 }
 
 shared::int4 int4Of(const glm::uvec3& v) { return {int(v.x), int(v.y), int(v.z), 0}; }
-
-/// The latest revision of some data among all volumes that show them.
-std::uint64_t latestRevision(const std::vector<Volume>& volumes, const VolumeData* data) {
-  std::uint64_t latest = 0;
-  for (const Volume& volume : volumes)
-    if (volume.data.get() == data) latest = std::max(latest, volume.revision);
-  return latest;
-}
 
 }  // namespace
 
@@ -167,8 +159,7 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
   for (const Volume& volume : volumes) {
     if (!numbers.emplace(volume.data.get(), int(slots.size())).second) continue;
     const auto known = numbers_.find(volume.data.get());
-    const bool same =
-        known != numbers_.end() && slots_[known->second]->revision == latestRevision(volumes, volume.data.get());
+    const bool same = known != numbers_.end() && slots_[known->second]->revision == volume.revision;
     slots.push_back(same ? slots_[known->second] : nullptr);
   }
   // forget what is no longer used before anything new needs the room
@@ -179,7 +170,7 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
       auto& slot = slots_[numbers_.at(volume.data.get())];
       if (slot) continue;
       slot = makeSlot(volume);
-      slot->revision = latestRevision(volumes, volume.data.get());
+      slot->revision = volume.revision;
     }
   } catch (...) {
     slots_.clear();

@@ -38,6 +38,7 @@ FrameState::~FrameState() {
 device::HostStep FrameState::step(const char* name) const { return {device_->profiler().trace(), name}; }
 
 void FrameState::check(const Scene& scene) {
+  ready_ = false;
   if (!current_ || !scene::sameObjects(*current_, scene)) return scene::validateScene(scene, dataChecks_);
   scene::validateCamera(scene.camera);
   scene::validateImage(scene.image);
@@ -115,6 +116,7 @@ void FrameState::prepare(const Scene& scene, cluster::Purpose purpose) {
   cache_.prepare(scene, deviceScene_, lights_, *technique_,
                  [this](const char* step, float done) { progress(step, done); });
   current_ = scene;
+  ready_ = true;
 }
 
 void FrameState::uploadObjects(const Scene& scene) {

@@ -119,6 +119,7 @@ class FrameState {
   std::optional<Scene> current_;                        ///< what all of it was made for; empty after an error
   cluster::Purpose purpose_ = cluster::Purpose::Image;  ///< that its maps serve
   FrameStats stats_;
+  bool ready_ = false;     ///< it is the scene that was given last
   bool prepared_ = false;  ///< in this call
   bool occluded_ = false;  ///< likewise, ambient occlusion
   std::chrono::steady_clock::time_point begun_;

@@ -30,13 +30,13 @@ std::size_t coordinatesOf(const Points& points) {
 }
 
 /// Retained as long as the result lives. `what` begins the message.
-std::shared_ptr<void> shared(cl_mem memory, const std::string& what) {
+std::shared_ptr<void> retained(cl_mem memory, const std::string& what) {
   if (!memory) throw Error(what + " is null, must have its voxels");
   if (clRetainMemObject(memory) != CL_SUCCESS) throw Error(what + " is no OpenCL memory object");
   return {memory, [](void* held) { clReleaseMemObject(static_cast<cl_mem>(held)); }};
 }
 
-/// Throws Error unless an image has voxels of such a type.
+/// The type that voxels of an image of this format have. Throws Error if there is none.
 VoxelType voxelTypeOf(const cl_image_format& format) {
   const cl_channel_order order = format.image_channel_order;
   if (order != CL_R && order != CL_LUMINANCE && order != CL_INTENSITY)
@@ -77,9 +77,11 @@ Place placeOf(const Engine& engine) {
 std::shared_ptr<VolumeData> volumeData(cl_mem buffer, VoxelType type, const glm::uvec3& size,
                                        const glm::mat4& objectFromIndex) {
   auto data = std::make_shared<VolumeData>();
-  data->view.deviceMemory = shared(buffer, "the buffer of a volume");
-  if (cl::Buffer(buffer, true).getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_BUFFER)
-    throw Error("the buffer of a volume is an image, must be a buffer; images come without type and size");
+  data->view.deviceMemory = retained(buffer, "the buffer of a volume");
+  device::guarded("the buffer of a volume", [&] {
+    if (cl::Buffer(buffer, true).getInfo<CL_MEM_TYPE>() != CL_MEM_OBJECT_BUFFER)
+      throw Error("the buffer of a volume is an image, must be a buffer; images come without type and size");
+  });
   data->type = type;
   data->size = size;
   data->objectFromIndex = objectFromIndex;
@@ -88,7 +90,7 @@ std::shared_ptr<VolumeData> volumeData(cl_mem buffer, VoxelType type, const glm:
 
 std::shared_ptr<VolumeData> volumeData(cl_mem image, const glm::mat4& objectFromIndex) {
   auto data = std::make_shared<VolumeData>();
-  data->view.deviceMemory = shared(image, "the image of a volume");
+  data->view.deviceMemory = retained(image, "the image of a volume");
   data->objectFromIndex = objectFromIndex;
   device::guarded("the image of a volume", [&] {
     const cl::Image3D given(image, true);

@@ -30,7 +30,8 @@ void FrameState::prepareQueries(const Scene& scene) {
 }
 
 const Scene& FrameState::readyScene() const {
-  if (!current_) throw Error("no scene is ready for queries; prepare() must be called with one, and must succeed");
+  if (!current_ || !ready_)
+    throw Error("no scene is ready for queries; prepare() must be called with one, and must succeed");
   return *current_;
 }
 

@@ -6,6 +6,15 @@
 
 namespace cdsm::scene {
 
+namespace {
+
+/// Whether somebody could have written to them without a word so that reading them is no longer safe.
+bool isWrittenUnseen(const MeshData& data) { return data.triangles.isView(); }
+bool isWrittenUnseen(const VolumeData&) { return false; }
+bool isWrittenUnseen(const SphereData&) { return false; }
+
+}  // namespace
+
 DataChecks::Known* DataChecks::find(const std::shared_ptr<const void>& data) {
   const auto entry = known_.find(data.get());
   return entry != known_.end() && !entry->second.owner.expired() ? &entry->second : nullptr;
@@ -22,9 +31,10 @@ template <class Data>
 void DataChecks::require(const std::shared_ptr<const Data>& data, void (*validate)(const Data&, const std::string&),
                          const std::string& what, std::uint64_t revision) {
   const Known* known = find(data);
-  if (known && known->revision == revision) return;
+  const bool same = known && known->revision == revision;
+  if (same && !isWrittenUnseen(*data)) return;
   validate(*data, what);
-  remember(data, revision);
+  if (!same) remember(data, revision);
 }
 
 void DataChecks::requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what,

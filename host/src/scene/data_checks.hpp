@@ -18,7 +18,7 @@ namespace cdsm::scene {
 class DataChecks {
  public:
   /// validateMeshData(), validateVolumeData() and validateSphereData(), unless the same data of the same revision
-  /// passed before.
+  /// passed before. Indices in somebody else's memory are looked at each time.
   void requireValid(const std::shared_ptr<const MeshData>& data, const std::string& what, std::uint64_t revision = 0);
   void requireValid(const std::shared_ptr<const VolumeData>& data, const std::string& what, std::uint64_t revision = 0);
   void requireValid(const std::shared_ptr<const SphereData>& data, const std::string& what, std::uint64_t revision = 0);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cfloat>
+#include <cstddef>
 #include <string>
 
 namespace cdsm::scene {
@@ -35,6 +36,9 @@ inline constexpr Range kMapSize{8, 16384, false, false, "texels"};
 inline constexpr Range kMaxNodes{2, 256, false, false, "nodes"};
 inline constexpr Range kSupersampling{1, 8};
 inline constexpr Range kTolerance{0.0, 1.0, false, true};
+/// Numbers of triangles and spheres have two bits for other things, numbers of vertices none.
+constexpr std::size_t kMostPrimitives = std::size_t(1) << 30, kMostVertices = std::size_t(1) << 32;
+
 /// With tolerance mode "everywhere": single precision could not keep less.
 inline constexpr Range kToleranceEverywhere{0.001, 1.0, false, true};
 /// With node format "unorm16": transmittances are stored to 1 / 65535, and what is left must be worth compressing to.

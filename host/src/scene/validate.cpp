@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <cdsm/error.hpp>
 
@@ -234,6 +235,23 @@ void validateSpheres(const Spheres& spheres, std::size_t materialCount, DataChec
   requireRange(spheres.shadow.weight, kClusterWeight, what + ": cluster_weight");
 }
 
+namespace {
+
+/// What is known of data is known of one revision.
+template <class Object>
+void requireOneRevision(const std::vector<Object>& objects, const char* kind) {
+  std::map<const void*, const Object*> firsts;
+  for (const Object& object : objects) {
+    const Object& first = *firsts.emplace(object.data.get(), &object).first->second;
+    if (first.revision == object.revision) continue;
+    throw Error(quoted(kind, first.name) + " has the revision " + std::to_string(first.revision) + ", " +
+                quoted(kind, object.name) + " with the same data the revision " + std::to_string(object.revision) +
+                ", must be the same");
+  }
+}
+
+}  // namespace
+
 void validateScene(const Scene& scene, DataChecks& checks) {
   validateCamera(scene.camera);
   validateImage(scene.image);
@@ -242,6 +260,9 @@ void validateScene(const Scene& scene, DataChecks& checks) {
   validateOcclusion(scene);
   for (const Light& light : scene.lights) validateLight(light);
   for (const Material& material : scene.materials) validateMaterial(material);
+  requireOneRevision(scene.meshes, "mesh");
+  requireOneRevision(scene.volumes, "volume");
+  requireOneRevision(scene.spheres, "spheres");
   for (const Mesh& mesh : scene.meshes) validateMesh(mesh, scene.materials.size(), checks);
   for (const Volume& volume : scene.volumes) validateVolume(volume, scene.meshes, checks);
   for (const Spheres& spheres : scene.spheres) validateSpheres(spheres, scene.materials.size(), checks);

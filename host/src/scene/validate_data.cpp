@@ -22,11 +22,19 @@ void requireFinite(const Array<glm::vec3>& vectors, const std::string& what) {
   }
 }
 
-/// That arrays lie somewhere.
-template <class... T>
-void requirePlaces(const std::string& what, const char* which, const Array<T>&... arrays) {
-  if (!(arrays.isSomewhere() && ...))
-    throw Error(what + " has an array that shows memory at null, must point to its " + which);
+/// That an array shows values that can be there.
+template <class T>
+void requireView(const Array<T>& array, const std::string& what) {
+  if (!array.isSomewhere()) throw Error(what + " show memory at null, must point to " + std::to_string(array.size()));
+  if (array.stride() != 0 && std::abs(array.stride()) < std::ptrdiff_t(sizeof(T)))
+    throw Error(what + " of " + std::to_string(sizeof(T)) + " bytes lie at a stride of " +
+                std::to_string(array.stride()) + " bytes, must be at least as many or 0");
+}
+
+/// What the device's numbers can hold.
+void requireFewer(std::size_t count, std::size_t limit, const std::string& what) {
+  if (count < limit) return;
+  throw Error(what + " are " + std::to_string(count) + ", must be below " + std::to_string(limit));
 }
 
 /// Product of the sides, or 0 when it does not fit.
@@ -76,7 +84,11 @@ void requireAscending(const std::vector<Point>& points, const std::string& what)
 
 void validateMeshData(const MeshData& data, const std::string& what) {
   if (data.triangles.empty()) throw Error(what + " has no triangles, must have at least one");
-  requirePlaces(what, "positions, normals and triangles", data.positions, data.normals, data.triangles);
+  requireView(data.positions, what + ": positions");
+  requireView(data.normals, what + ": normals");
+  requireView(data.triangles, what + ": triangles");
+  requireFewer(data.triangles.size(), kMostPrimitives, what + ": triangles");
+  requireFewer(data.positions.size(), kMostVertices, what + ": positions");
   requireFinite(data.positions, what + ": position");
   requireFinite(data.normals, what + ": normal");
   if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
@@ -119,7 +131,10 @@ void validateSphereData(const SphereData& data, const std::string& what) {
     throw Error(what + " has " + std::to_string(data.colors.size()) + " colours for " + count +
                 " centres, must be none or one for each");
   }
-  requirePlaces(what, "centres, radii and colours", data.centers, data.radii, data.colors);
+  requireView(data.centers, what + ": centres");
+  requireView(data.radii, what + ": radii");
+  requireView(data.colors, what + ": colours");
+  requireFewer(data.centers.size(), kMostPrimitives, what + ": centres");
   requireFinite(data.centers, what + ": centre");
   for (std::size_t i = 0; i < data.radii.size(); ++i)
     if (!kPositive.contains(data.radii[i]))
