@@ -130,7 +130,8 @@ TEST_P(VolumeSamples, areTheVoxelsAtTheCornersOfCells) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 8; ++k) {
       const double voxel = grid.value(glm::dvec3(glm::floor(points[i])) + glm::dvec3(k >> 2, k & 1, k >> 1 & 1));
-      ASSERT_NEAR(samples.corners[8 * i + std::size_t(k)], voxel, fetch_ == "image" ? 1e-6 * (range_.high - range_.low) : 0.0)
+      ASSERT_NEAR(samples.corners[8 * i + std::size_t(k)], voxel,
+                  fetch_ == "image" ? 1e-6 * (range_.high - range_.low) : 0.0)
           << "corner " << k << " at " << points[i].x << ", " << points[i].y << ", " << points[i].z;
     }
   }
