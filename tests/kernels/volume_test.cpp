@@ -17,15 +17,16 @@ using shared::float4;
 
 const char* const kText = R"(
 #include "common/medium.clh"
-/// An item per point; values: of volumeValue, gradients: of volumeGradient.
+/// An item per point; values: of volumeValue, gradients: of volumeGradient, corners: eight of volumeCell.
 __kernel void sampleVolume(uint count, __global const float* points, __global float* values,
-                           __global float4* gradients, CDSM_SCENE_PARAMS) {
+                           __global float4* gradients, __global float* corners, CDSM_SCENE_PARAMS) {
   uint i = (uint)get_global_id(0);
   if (i >= count) return;
   MediumData m = media[0];
   float3 p = vload3(i, points);
   values[i] = volumeValue(m.size.w, m.size, p CDSM_VOLUME_ARGS);
   gradients[i] = volumeGradient(m.size.w, m.size, p CDSM_VOLUME_ARGS);
+  vstore8(volumeCell(m.size.w, m.size, convert_int3(floor(p)) CDSM_VOLUME_ARGS), i, corners);
 }
 )";
 
@@ -56,6 +57,7 @@ std::vector<glm::vec3> samplePoints(const glm::vec3& size, std::uint32_t seed) {
 struct Samples {
   std::vector<float> values;
   std::vector<float4> gradients;
+  std::vector<float> corners;  ///< eight a point
 };
 
 Samples sampleOnDevice(device::Device& device, const TestGrid& grid, const std::vector<glm::vec3>& points) {
@@ -67,14 +69,14 @@ Samples sampleOnDevice(device::Device& device, const TestGrid& grid, const std::
   for (const glm::vec3& p : points) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
   using Floats = device::Buffer<float>;
   const Floats in = Floats::fromHost(device, coordinates, "points");
-  Floats values(device, points.size(), "values");
+  Floats values(device, points.size(), "values"), corners(device, 8 * points.size(), "corners");
   device::Buffer<float4> gradients(device, points.size(), "gradients");
   const device::Buffer<std::uint32_t> around(device, 0, "objects around");
-  device::Kernel<std::uint32_t, Floats, Floats, device::Buffer<float4>, device::ArgumentList> kernel(
+  device::Kernel<std::uint32_t, Floats, Floats, device::Buffer<float4>, Floats, device::ArgumentList> kernel(
       device, sceneTestProgram(device, onDevice, kText), "sampleVolume");
-  kernel({"sample volume", {points.size()}, {kGroup}}, std::uint32_t(points.size()), in, values, gradients,
+  kernel({"sample volume", {points.size()}, {kGroup}}, std::uint32_t(points.size()), in, values, gradients, corners,
          onDevice.arguments(onDevice.allObjects(), around));
-  return {values.download(), gradients.download()};
+  return {values.download(), gradients.download(), corners.download()};
 }
 
 class VolumeSamples : public ::testing::TestWithParam<std::tuple<std::size_t, const char*>> {
@@ -119,6 +121,21 @@ TEST_P(VolumeSamples, areTrilinearInThinVolumes) {
   expectExact({4, 2, 1});
 }
 TEST_P(VolumeSamples, areTheVoxelInAVolumeOfOne) { expectExact({1, 1, 1}); }
+
+/// Of images too, whose fractions play no part: within rounding of their scale.
+TEST_P(VolumeSamples, areTheVoxelsAtTheCornersOfCells) {
+  const TestGrid grid = randomGrid(range_, {5, 4, 6}, 9);
+  const std::vector<glm::vec3> points = samplePoints(glm::vec3(5, 4, 6), 6);
+  const Samples samples = sampleOnDevice(deviceOf(fetch_), grid, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int k = 0; k < 8; ++k) {
+      const double voxel = grid.value(glm::dvec3(glm::floor(points[i])) + glm::dvec3(k >> 2, k & 1, k >> 1 & 1));
+      ASSERT_NEAR(samples.corners[8 * i + std::size_t(k)], voxel,
+                  fetch_ == "image" ? 1e-6 * (range_.high - range_.low) : 0.0)
+          << "corner " << k << " at " << points[i].x << ", " << points[i].y << ", " << points[i].z;
+    }
+  }
+}
 
 /// The ends of a type as they are in the file, at voxel centres.
 TEST_P(VolumeSamples, areTheFilesOwnValuesAtTheEnds) {

@@ -27,6 +27,7 @@ FETCHES = [
     ("CDSM_VOLUME_VALUES", "value", "imageValue", "0.0f"),
     ("CDSM_VOLUME_BATCHES", "values", "imageValues", "(floatN)(0.0f)"),
     ("CDSM_VOLUME_GRADIENTS", "gradient", "imageGradient", "(float4)(0.0f)"),
+    ("CDSM_VOLUME_CELLS", "cell", "imageCell", "(float8)(0.0f)"),
 ]
 
 

@@ -95,6 +95,21 @@ Corner cornerAt(const std::vector<Point>& opacity, const Colors& transmission, i
           1.0f - mix(colors.first.color[channel], colors.second.color[channel], partOf(colors, value))};
 }
 
+/// For each corner what kernels/build/curve.clh says. The first float of an integral lacks what rounding took, the
+/// second is that.
+void addSums(std::vector<shared::float4>& sums, const ExtinctionCurve& curve) {
+  double integral = 0.0, variation = 0.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (i > 0) {
+      const double first = curve[i - 1].y, last = curve[i].y;
+      integral += 0.5 * (first + last) * (double(curve[i].x) - double(curve[i - 1].x));
+      variation += std::abs(last - first);
+    }
+    const auto whole = float(integral);
+    sums.push_back({whole, float(integral - double(whole)), float(variation), 0.0f});
+  }
+}
+
 }  // namespace
 
 ExtinctionCurve makeExtinctionCurve(const std::vector<Point>& opacity, float unitDistance) {
@@ -119,13 +134,16 @@ ExtinctionCurve makeAttenuationCurve(const TransferFunction& transfer, int chann
 ExtinctionCurves::ExtinctionCurves(device::Device& device, const std::vector<ExtinctionCurve>& curves) {
   std::vector<shared::uint2> ranges;
   std::vector<shared::float2> corners;
+  std::vector<shared::float4> sums;
   for (const ExtinctionCurve& curve : curves) {
     const auto first = shared::uint(corners.size());
     corners.insert(corners.end(), curve.begin(), curve.end());
+    addSums(sums, curve);
     ranges.push_back({first, shared::uint(corners.size())});
   }
   ranges_ = device::Buffer<shared::uint2>::fromHost(device, ranges, "ranges of extinction curves");
   corners_ = device::Buffer<shared::float2>::fromHost(device, corners, "extinction curves");
+  sums_ = device::Buffer<shared::float4>::fromHost(device, sums, "sums of extinction curves");
 }
 
 }  // namespace cdsm::build

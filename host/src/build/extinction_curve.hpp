@@ -29,11 +29,12 @@ class ExtinctionCurves {
   ExtinctionCurves(device::Device& device, const std::vector<ExtinctionCurve>& curves);
 
   /// Arguments of CDSM_MARCH_PARAMS in kernels/build/march_everywhere.clh.
-  device::ArgumentList arguments() const { return {ranges_.cl(), corners_.cl()}; }
+  device::ArgumentList arguments() const { return {ranges_.cl(), corners_.cl(), sums_.cl()}; }
 
  private:
   device::Buffer<shared::uint2> ranges_;  ///< per curve: its corners [x, y)
   device::Buffer<shared::float2> corners_;
+  device::Buffer<shared::float4> sums_;  ///< per corner, from the first of its curve on
 };
 
 }  // namespace cdsm::build

@@ -181,7 +181,7 @@ void VolumeSlots::update(const std::vector<Volume>& volumes) {
 
 std::string VolumeSlots::kernelFile() const {
   const bool images = device_.fetchImages();
-  std::string params, args, values, batches, gradients;
+  std::string params, args, values, batches, gradients, cells;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const VoxelType type = slots_[i]->data->type;
     const std::string name = "volume" + std::to_string(i);
@@ -197,13 +197,14 @@ std::string VolumeSlots::kernelFile() const {
     values += label + ": return " + (images ? "imageValue" : "value") + tail + shift + "; ";
     batches += label + ": return " + (images ? "imageValues" : "values") + tail + shift + "; ";
     gradients += label + ": return " + (images ? "imageGradient" : "gradient") + tail + shiftW + "; ";
+    cells += label + ": return " + (images ? "imageCell" : "cell") + tail + shift + "; ";
   }
   const bool none = slots_.empty();
   return "#define CDSM_VOLUME_PARAMS " + params + "\n#define CDSM_VOLUME_ARGS " + args +
          "\n#define CDSM_VOLUME_VALUES " + (none ? "return 0.0f;" : "switch (slot) { " + values + "}") +
          "\n#define CDSM_VOLUME_BATCHES " + (none ? "return (floatN)(0.0f);" : "switch (slot) { " + batches + "}") +
          "\n#define CDSM_VOLUME_GRADIENTS " + (none ? "return (float4)(0.0f);" : "switch (slot) { " + gradients + "}") +
-         "\n";
+         "\n#define CDSM_VOLUME_CELLS " + (none ? "return (float8)(0.0f);" : "switch (slot) { " + cells + "}") + "\n";
 }
 
 device::ArgumentList VolumeSlots::arguments() const {
