@@ -20,8 +20,8 @@ using reference::World;
 
 constexpr int kMapSize = 768;
 constexpr float kTolerance = 0.005f;
-constexpr int kCandidates = 200;  ///< per light
-constexpr int kLeastKept = 30;    ///< per light
+constexpr int kCandidates = 130;  ///< per light
+constexpr int kLeastKept = 20;    ///< per light
 constexpr double kSmooth = 0.005;
 
 /// kSmooth over the filter's footprint, as much for the engine's coarser step, the tolerance, and as much for rounding.
