@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Host code under the compiler's checks, in build-address and build-thread: bad accesses, leaks and undefined behaviour
-# in the unit tests and the tests of other people's OpenCL; races where engines work in several threads.
-# Takes about as long as two builds. The last line is "N passed, N failed".
+# in the unit tests, the tests of other people's OpenCL and the property tests; races in those of other people's OpenCL,
+# where engines work in several threads.
+# Takes about as long as three builds. The last line is "N passed, N failed".
 # usage: sanitize.sh [address|thread]...    (both if none is named; needs what test.sh installs)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -31,11 +32,15 @@ check_address() {
   check address unit_tests '*'
   check address opencl_tests '*'
   check address property_tests '*'
+  if [ -d build-address/tests/vtk ]; then  # VTK is there
+    build address vtk_tests
+    check address vtk/vtk_tests '*'
+  fi
 }
 
 check_thread() {
   build thread opencl_tests
-  check thread opencl_tests 'SeveralEngines*'
+  check thread opencl_tests '*'
 }
 
 # PoCL alone: other drivers are unloaded before leaks are listed, and theirs then have no name

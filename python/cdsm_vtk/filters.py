@@ -218,12 +218,13 @@ class _Filter(VTKPythonAlgorithmBase):
         return self._volume
 
     def _meshes_of(self, surfaces):
-        def key(surface):  # points move without a new time when they become more
+        def key(surface):  # points move without a new time when room for them is made or given back
             points = surface.GetPoints()
             return surface.GetMTime(), points and points.GetNumberOfPoints() and points.GetVoidPointer(0)
 
-        self._meshes = {key(s): self._meshes.get(key(s)) or mesh(s) for s in surfaces}
-        meshes = [m for m in (self._meshes[key(s)] for s in surfaces) if m]
+        made = [self._meshes.get(key(s)) or mesh(s) for s in surfaces]
+        self._meshes = {key(s): m for s, m in zip(surfaces, made)}  # by where points are now: triangulating may move them
+        meshes = [m for m in made if m]
         for number, each in enumerate(meshes):
             each.name, each.material = f"surface {number}", cdsm.Material(opacity=self._surface_opacity)
         return meshes

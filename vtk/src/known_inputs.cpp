@@ -15,6 +15,10 @@ bool sameVoxels(const VolumeData& a, const VolumeData& b) {
   return a.view.data == b.view.data && a.type == b.type && a.size == b.size;
 }
 
+const void* placeOfPoints(vtkPolyData* surface) {
+  return surface->GetPoints() ? surface->GetPoints()->GetVoidPointer(0) : nullptr;
+}
+
 }  // namespace
 
 Volume KnownInputs::volume(vtkImageData* image, vtkDataArray* scalars) {
@@ -34,10 +38,11 @@ std::vector<Mesh> KnownInputs::meshes(const std::vector<vtkPolyData*>& surfaces)
   std::vector<Mesh> meshes;
   for (vtkPolyData* const surface : surfaces) {
     const vtkMTimeType modified = surface->GetMTime();
-    const void* const points = surface->GetPoints() ? surface->GetPoints()->GetVoidPointer(0) : nullptr;
-    const auto known = std::find_if(surfaces_.begin(), surfaces_.end(),
-                                    [&](const Surface& s) { return s.modified == modified && s.points == points; });
-    next.push_back({modified, points, known == surfaces_.end() ? meshData(surface) : known->data});
+    const auto known = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
+      return s.modified == modified && s.points == placeOfPoints(surface);
+    });
+    const std::shared_ptr<const MeshData> data = known == surfaces_.end() ? meshData(surface) : known->data;
+    next.push_back({modified, placeOfPoints(surface), data});  // where they are now: triangulating may move them
     if (!next.back().data) continue;
     meshes.emplace_back();
     meshes.back().name = "surface " + std::to_string(next.size() - 1);

@@ -23,7 +23,7 @@ class KnownInputs {
  private:
   struct Surface {
     vtkMTimeType modified;  ///< of which VTK gives each only once
-    const void* points;     ///< which may move without one, when they become more
+    const void* points;     ///< which may move without one, when room for them is made or given back
     std::shared_ptr<const MeshData> data;
   };
 

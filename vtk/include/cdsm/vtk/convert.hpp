@@ -26,8 +26,8 @@ CDSM_API TransferFunction transferFunction(vtkVolumeProperty* property);
 CDSM_API Volume volume(vtkImageData* image, vtkDataArray* scalars);
 
 /// Polygons and strips as triangles, whose points stay where they are, kept by the result, if they are floats side by
-/// side: then nobody may add any to that vtkPoints as long as the result is used. Lines and vertices cast no shadow.
-/// Null if there is no triangle.
+/// side: then nobody may add any to that vtkPoints, or squeeze it, as long as the result is used. Lines and vertices
+/// cast no shadow. Null if there is no triangle.
 CDSM_API std::shared_ptr<const MeshData> meshData(vtkPolyData* surface);
 
 }  // namespace cdsm::vtk
