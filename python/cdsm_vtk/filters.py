@@ -223,7 +223,7 @@ class _Filter(VTKPythonAlgorithmBase):
             return surface.GetMTime(), points and points.GetNumberOfPoints() and points.GetVoidPointer(0)
 
         made = [self._meshes.get(key(s)) or mesh(s) for s in surfaces]
-        self._meshes = {key(s): m for s, m in zip(surfaces, made)}  # by where points are now: triangulating may move them
+        self._meshes = {key(s): m for s, m in zip(surfaces, made)}  # triangulating may move points
         meshes = [m for m in made if m]
         for number, each in enumerate(meshes):
             each.name, each.material = f"surface {number}", cdsm.Material(opacity=self._surface_opacity)
