@@ -122,13 +122,7 @@ TEST(ArrayViews, KeepTheirOwnerUntilTheSceneIsDropped) {
     mesh.positions = Array<glm::vec3>::view(values->data(), values->size(), sizeof(glm::vec3), values);
     engine.render(sceneOf(mesh, atoms()));
   };
-  give();
-  EXPECT_FALSE(owner.expired());
-  engine.drop();
-  EXPECT_TRUE(owner.expired());
-  give();
-  engine.prepare(cloudScene());
-  EXPECT_TRUE(owner.expired());
+  expectKeptUntilDropped(engine, owner, give);
 }
 
 TEST(ArrayTimeSteps, OfAMeshBringItsVerticesAlong) {

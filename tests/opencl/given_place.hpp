@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <CL/opencl.hpp>
 #include <cdsm/opencl.hpp>
 
@@ -53,6 +54,18 @@ std::vector<float> answers(Engine& engine, const std::vector<glm::vec3>& points)
 
 /// Bytes of uploads of that name in the last call.
 std::uint64_t uploaded(const FrameStats& stats, const std::string& what);
+
+/// That what give() gives the engine is kept until the engine is told to let go, or given another scene.
+template <class Give>
+void expectKeptUntilDropped(Engine& engine, const std::weak_ptr<const void>& owner, const Give& give) {
+  give();
+  EXPECT_FALSE(owner.expired());
+  engine.drop();
+  EXPECT_TRUE(owner.expired());
+  give();
+  engine.prepare(cloudScene());
+  EXPECT_TRUE(owner.expired());
+}
 
 /// What was thrown, or nothing.
 template <class Call>

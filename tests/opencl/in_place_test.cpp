@@ -110,13 +110,7 @@ TEST(VoxelViews, KeepTheirOwnerUntilTheSceneIsDropped) {
     owner = data;
     engine.prepare(sceneOf(std::make_shared<VolumeData>(view)));
   };
-  give();
-  EXPECT_FALSE(owner.expired());
-  engine.drop();
-  EXPECT_TRUE(owner.expired());
-  give();
-  engine.prepare(cloudScene());
-  EXPECT_TRUE(owner.expired());
+  expectKeptUntilDropped(engine, owner, give);
 }
 
 TEST(TimeSteps, AreReadInPlace) {

@@ -121,7 +121,7 @@ struct Mesh {
   glm::vec3 interiorColor{1.0f};
   ShadowRole shadow;
   glm::vec3 interiorTransmission{0.0f};  ///< as Material::transmission, of the interior
-  std::uint64_t revision = 0;            ///< another one than before says that the arrays of the same data have changed
+  std::uint64_t revision = 0;            ///< of the data: another one than before says that its arrays have changed
 };
 
 /// Spheres in object space, each with its own radius > 0. Either no colours or one per centre.
